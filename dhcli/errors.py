@@ -118,6 +118,11 @@ def plural(count: int, noun: str) -> str:
     return f"{count} {noun}{'s' * (count != 1)}"
 
 
+def are(count: int) -> str:
+    """`is` behind one thing, `are` behind none and several."""
+    return "is" if count == 1 else "are"
+
+
 def listed(names: Sequence[str], most: int = 12) -> str:
     """Names in a row, and how many more there are beyond the most that are told."""
     more = f" and {len(names) - most} more" if len(names) > most else ""
@@ -137,6 +142,8 @@ def nearest(name: str, known: Iterable[str], most: int = 3, cutoff: float = 0.5)
 
     known = tuple(islice(known, MOST_CANDIDATES))
     lowered = {candidate.lower(): candidate for candidate in known}
+    if name.lower() in lowered:
+        return (lowered[name.lower()],)
     return tuple(lowered[match] for match in get_close_matches(name.lower(), lowered, n=most, cutoff=cutoff))
 
 

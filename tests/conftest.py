@@ -7,7 +7,7 @@ import gc
 import os
 import signal
 import sys
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from importlib.util import find_spec
 from itertools import count
 from pathlib import Path
@@ -62,7 +62,22 @@ settings.register_profile("nightly", settings.get_profile("ci"), max_examples=50
 settings.load_profile("ci" if os.environ.get("CI") else "default")
 
 
-pytest_configure = reporting.pytest_configure
+def pytest_configure(config: pytest.Config) -> None:
+    """Look for examples where there are some, and tell of tests shortly."""
+    config.pluginmanager.register(Examples())
+    reporting.pytest_configure(config)
+
+
+class Examples:
+    """Finds no doctests where there are none, which pytest would look for in every function of every module."""
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_collect_file(self, file_path: Path) -> Generator[None, list[pytest.Collector], list[pytest.Collector]]:
+        """Keep what is found in a file but its doctests, unless an example stands in it."""
+        found = yield
+        if file_path.suffix != ".py" or b">>>" in file_path.read_bytes():
+            return found
+        return [collector for collector in found if type(collector) is pytest.Module]
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -6,11 +6,13 @@ Every law and every kind of case is tried in both; a test that only nightly runs
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import product
 from typing import TypeVar
 
 from hypothesis import settings
 
 T = TypeVar("T")
+U = TypeVar("U")
 
 NIGHT = settings.get_current_profile_name() == "nightly"
 """Whether all is tried."""
@@ -29,6 +31,13 @@ def some(cases: Sequence[T], step: int) -> Sequence[T]:
 def in_turn(cases: Sequence[T], turn: int, turns: int) -> Sequence[T]:
     """The cases that fall to one of several turns, so that each case is tried in one; all of them at night."""
     return cases if NIGHT else cases[turn % turns :: turns]
+
+
+def paired(first: Sequence[T], second: Sequence[U]) -> Sequence[tuple[T, U]]:
+    """Pairs of the cases of two kinds, in which each case of both occurs; every pair at night."""
+    if NIGHT:
+        return list(product(first, second))
+    return [(first[k % len(first)], second[k % len(second)]) for k in range(max(len(first), len(second)))]
 
 
 def cases_for_nights(cases: Sequence[T], *ordinary: T) -> Sequence[T]:

@@ -70,7 +70,7 @@ MAY = {
     "solution planar-two-links --yes": f"{EXERCISE} csv kinematics.describe render.code render.text",
     "grade sheets": f"{GRADED} multiprocessing random socket statistics tempfile",
     "lint exercise.yaml": f"{EXERCISE} {EXPLAINED} lint render.text",
-    "new robot my-arm --overwrite": f"{BASE} files files.yaml storage",
+    "new robot my-arm --overwrite": f"{BASE} files files.library files.yaml storage",
     "schema robot": "algebra geometry kinematics notation render json files files.keys",
 }
 """What each command imports besides `ALWAYS`: libraries, costly parts of Python's own, rooms of dhcli."""

@@ -113,7 +113,12 @@ class Field:
 
 @lru_cache(maxsize=1)
 def field_of_the_day() -> Field:
-    """A field with a random 127-bit prime, drawn once in a process."""
+    """A field that is drawn once in a process."""
+    return random_field()
+
+
+def random_field() -> Field:
+    """A field with a random 127-bit prime."""
     step = math.prod(ROOTED) * STEPS
     while True:
         prime = (random_below(1 << 84) | 1 << 84) * step + 1
@@ -151,15 +156,22 @@ def is_prime(value: int) -> bool:
 class Residues:
     """A random point: every name has a random residue, and every angle a random unit."""
 
-    def __init__(self, expressions: Iterable[Expr] = (), angles: Iterable[Angle] = (), scale: int = 1) -> None:
+    def __init__(
+        self,
+        expressions: Iterable[Expr] = (),
+        angles: Iterable[Angle] = (),
+        scale: int = 1,
+        field: Field | None = None,
+    ) -> None:
         """Prepare a point for some expressions and angles.
 
         Args:
             expressions: Trees that will be evaluated, looked through for fractions of angles.
             angles: Angles that will occur besides.
             scale: A common denominator that the fractions of angles have at least.
+            field: The field; by default that of the day.
         """
-        self.field = field_of_the_day()
+        self.field = field or field_of_the_day()
         self._scale = math.lcm(scale, *_denominators(expressions, angles))
         self._units: dict[str, tuple[int, int]] = {}
         self._numbers: dict[str, int] = {}

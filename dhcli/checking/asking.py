@@ -21,20 +21,20 @@ _GOES_ON = ("+", "-", "*", "/", "^", "=", ",", ";", "·", "...")
 class Besides(Protocol):
     """What an exercise file says of a part besides `ask:`, for the kinds that need more."""
 
+    def has(self, key: str) -> bool:
+        """Whether a key stands there."""
+        ...
+
     def texts(self, key: str) -> tuple[str, ...]:
         """A list of texts."""
         ...
 
-    def whole(self, key: str) -> int | None:
-        """A whole number."""
+    def one_of(self, key: str, count: int) -> int:
+        """Which of so many, counted from 1; 1 where it is none, which is told."""
         ...
 
     def linkage(self, name: str) -> Any:  # noqa: ANN401  a linkage or its counts, of a room that few exercises need
         """The linkage of a name or a pattern; None if there is none, which is told."""
-        ...
-
-    def refuse(self, message: str, hint: str = "") -> None:
-        """Note what is wrong with the part."""
         ...
 
 

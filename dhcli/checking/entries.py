@@ -8,16 +8,17 @@ from dataclasses import field, replace
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
-from dhcli.checking.commas import comma_remark, with_points
+from dhcli.checking.blanks import refuse_one_expression
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, without_label
 from dhcli.checking.truth import is_length, names_of
 from dhcli.checking.units import length_in_metres
 from dhcli.checking.vectors import as_column
 from dhcli.checking.wanted import Wanted
-from dhcli.errors import NotationError, Place
+from dhcli.errors import NotationError, Place, are, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.values import numbers
+from dhcli.notation.commas import comma_remark
 from dhcli.notation.matrix import Cell, bracketed, parse_matrix
 from dhcli.notation.names import suggestion
 from dhcli.notation.parser import parse
@@ -61,22 +62,25 @@ def read_entries(question: Wanted, exercise: Exercise, text: str, place: Place |
     """
     if len(text) > LARGEST:
         raise UnreadableError(f"the answer has {len(text)} characters, more than the {LARGEST} that are read")
-    body = without_label(as_matrix(text, question.shape))
+    body = without_label(as_matrix(text, question.shape), question.shape)
     refuse_blanks(body)
+    typed = body
     if question.shape == (3, 1):
         is_axis = question.piece in ("axis", "vector") and not is_length(question, 0, 0)
-        body = as_column(with_points(body), exercise.scope, is_axis=is_axis)
+        body = as_column(body, exercise.scope, is_axis=is_axis)
     elif not body.lstrip().startswith(("[", "(", "{", "\\", "|")):
         body = f"[{body}]" if question.piece == "rotation" else body
     try:
         if question.shape == (1, 1):
             _refuse_matrix(body, exercise)
             expr = parse(body.strip(), exercise.scope, place or Place("answer"))
-            return ((_entry(question, exercise, Cell(expr, body.strip(), 0), 0, 0),),)
+            return ((_entry(question, exercise, Cell(expr, body.strip(), 0, expr), 0, 0),),)
         cells = parse_matrix(body, exercise.scope, place or Place("answer"))
     except NotationError as error:
         remarks = (*(str(problem) for problem in error.problems), comma_remark(text))
         raise UnreadableError(*filter(None, remarks)) from None
+    if question.shape == (3, 1):
+        refuse_one_expression(typed, cells, question.shape[0], exercise.scope)
     shaped = _shaped(question, cells, text)
     entries = tuple(
         tuple(_entry(question, exercise, cell, r, c) for c, cell in enumerate(row)) for r, row in enumerate(shaped)
@@ -149,8 +153,7 @@ def _shape_remark(question: Wanted, shape: tuple[int, int]) -> str:
 
 def count_remark(count: int, wanted: int) -> str:
     """What to say of another number of numbers than was asked for."""
-    given = "1 number is given" if count == 1 else f"{count} numbers are given"
-    return f"{given}, {wanted} were asked"
+    return f"{plural(count, 'number')} {are(count)} given, {wanted} {'was' if wanted == 1 else 'were'} asked"
 
 
 def as_read(question: Wanted, row: int, column: int, exercise: Exercise, expr: Expr) -> Expr:
@@ -166,22 +169,25 @@ def as_read(question: Wanted, row: int, column: int, exercise: Exercise, expr: E
 def _entry(question: Wanted, exercise: Exercise, cell: Cell, row: int, column: int) -> Entry:
     where = f"entry ({row + 1},{column + 1})"
     length = is_length(question, row, column)
+    given = cell.expr if length or question.piece != "pose" else cell.own
     try:
-        expr = to_plain_length(cell.expr)
-        if expr != cell.expr and not length:
+        expr = to_plain_length(given)
+        if expr != given and not length:
             raise UnreadableError(f"{where} is a direction cosine and has no unit")
-        expr = as_read(question, row, column, exercise, cell.expr)
+        expr = as_read(question, row, column, exercise, given)
     except DimensionError as error:
         message = error.message if length else error.message.replace("a length is wanted", "a number is wanted")
         raise UnreadableError(f"{where}: {message}") from None
     check_names(exercise, symbols(expr))
-    return Entry(expr, cell.text, cell.expr)
+    return Entry(expr, cell.text, given)
 
 
 def in_unit_of(question: Wanted, entries: Entries, exercise: Exercise) -> Entries:
     """Entries that have been read, with their bare lengths in the unit of another sheet."""
 
     def moved(entry: Entry, row: int, column: int) -> Entry:
+        if not is_length(question, row, column):
+            return entry
         try:
             return replace(entry, expr=as_read(question, row, column, exercise, entry.typed))
         except DimensionError:  # what is no length in that unit stays wrong

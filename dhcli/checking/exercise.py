@@ -26,6 +26,7 @@ from dhcli.errors import DhcliError, Place, RobotError, UnknownNameError, did_yo
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.derived import replaced
+from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.names import natural_key
@@ -41,6 +42,8 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 R = TypeVar("R")
 
+PLACES = {"mm": 2, "cm": 3, "m": 5}
+"""Decimals of a hundredth of a millimetre."""
 MOST_RECENT = 500
 """Things of one kind that answers bring along and that are kept: entries, mostly, that many students write alike."""
 
@@ -397,8 +400,22 @@ class Exercise:
     @property
     def given_text(self) -> str:
         """The values that it gives, lengths in the unit of its sheet: `theta1 = 30°, d3 = 0.12 m`."""
-        unit = "" if self.unit == "none" else self.unit
-        return ", ".join(f"{name} = {value_text(value, unit)}" for name, value in self.given.items())
+        return ", ".join(f"{name} = {value_text(value, self.behind.strip())}" for name, value in self.given.items())
+
+    @property
+    def behind(self) -> str:
+        """What stands behind a length on its sheet: ` mm`; nothing where the task has no unit."""
+        return "" if self.unit == "none" else f" {self.unit}"
+
+    def distance(self, metres: float, *, signed: bool = False) -> str:
+        """A distance in the unit of the sheet, to a hundredth of a millimetre: `0.0879 m`.
+
+        Args:
+            metres: The distance [m].
+            signed: Whether a plus stands before one that is positive.
+        """
+        text = rounded(metres / float(self.metres), PLACES.get(self.unit, 4))
+        return f"{'+' * (signed and metres > 0)}{text}{self.behind}"
 
     @property
     def metres(self) -> Fraction:

@@ -80,7 +80,7 @@ def mark_numbers(
         cells = tuple(replace(c, verdict=Verdict.ROUNDED) if c.verdict is not Verdict.RIGHT else c for c in cells)
         remarks: tuple[str, ...] = ("right to the digits typed; more digits are wanted",)
     else:
-        remarks = _remarks(question, truth.numbers, typed, cells, _slack(entries), exercise.unit)
+        remarks = _remarks(question, truth.numbers, typed, cells, exercise, _slack(entries))
         if verdict is not Verdict.RIGHT and _is_rounded(question, truth, entries, typed, limits, unit, least=0):
             remarks = (TOO_FEW,)  # no more is wrong: no angle, no distance
     if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(truth, entries, exercise):
@@ -192,7 +192,7 @@ def _slack(entries: Entries) -> float:
 
 
 def _remarks(
-    question: Wanted, right: Matrix, typed: Matrix, cells: tuple[CellMark, ...], slack: float, unit: str
+    question: Wanted, right: Matrix, typed: Matrix, cells: tuple[CellMark, ...], exercise: Exercise, slack: float
 ) -> tuple[str, ...]:
     """What geometry says: not a rotation, transposed, inverse, or by which angle the orientation is off."""
     wrong = [cell for cell in cells if cell.verdict is not Verdict.RIGHT]
@@ -212,9 +212,8 @@ def _remarks(
     unsharp = any(not is_length(question, cell.row, cell.column) for cell in wrong)
     said = ("the axes point the right way, but their direction cosines need more digits",) if unsharp else ()
     displaced = [cell.row for cell in wrong if is_length(question, cell.row, cell.column)]
-    scale, name_of_unit = (1.0, "") if unit == "none" else (1000.0, " mm")
-    offsets = [(k, rounded((typed[k][3] - right[k][3]) * scale, 2)) for k in displaced]
-    off = ", ".join(f"{offset}{name_of_unit} along {'xyz'[k]}" for k, offset in offsets if offset != "0")
+    offsets = [(k, exercise.distance(typed[k][3] - right[k][3])) for k in displaced]
+    off = ", ".join(f"{offset} along {'xyz'[k]}" for k, offset in offsets if offset.split()[0] != "0")
     if not off:
         return said
     return (*said, f"{'' if said else 'the rotation is right; '}the position is off by {off}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dhcli.notation.commas import Shape
 from dhcli.notation.pasted import EntriesError, rows_of
 from dhcli.notation.pasted import without_label as _without_label
 from dhcli.regex import regex
@@ -38,13 +39,17 @@ class WrongUnitError(UnreadableError):
     """An answer that is right throughout in another unit."""
 
     def __init__(self, unit: str, remark: str, how: str = "") -> None:
-        """Say which unit it is in, how right it is there if not quite, and which unit is wanted."""
+        """Say which unit it is in, behind it its power and how right it is there if not quite, and what is wanted."""
         super().__init__(f"right in {unit}{how}; {remark}")
         self.unit = unit
 
 
-def without_label(text: str) -> str:
-    """A text without `T_03 =` in front, and without what a screen shows around a matrix.
+def without_label(text: str, shape: Shape | None = None) -> str:
+    """A text without `T_03 =` in front, without what a screen shows around a matrix, and without decimal commas.
+
+    Args:
+        text: What was typed.
+        shape: Rows and columns of what is asked for, where several cells are.
 
     Raises:
         UnreadableError: What stands in front is a number and names nothing, `7 = 6`.
@@ -55,7 +60,7 @@ def without_label(text: str) -> str:
     equation = _EQUATION.match(text)
     if equation:
         raise UnreadableError(f"{equation[0].strip()} ... is an equation between numbers; write the answer alone")
-    return _without_label(text)
+    return _without_label(text, shape)
 
 
 def without_number_word(text: str) -> str:
@@ -74,7 +79,7 @@ def refuse_blanks(text: str) -> None:
         raise UnreadableError("some entries are still blank: fill in every _")
 
 
-def as_matrix(text: str, shape: tuple[int, int]) -> str:
+def as_matrix(text: str, shape: Shape) -> str:
     """A matrix in brackets, where an answer is dhcli's JSON or a list of entries such as `r11 = c1`, `px = a1*c1`.
 
     Raises:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dhcli.checking.verdicts import Verdict
 from dhcli.frozen import frozen
 from dhcli.notation.quantity import LENGTH_UNITS
-from dhcli.notation.tree import Expr, Number, Product, Unit, negate
+from dhcli.notation.tree import Expr, Number, Power, Product, Unit, negate
 
 SLACK = 1e-9
 ZERO = 1e-12
@@ -56,11 +56,12 @@ def typed_decimals(expr: Expr) -> int | None:
 
 
 def without_unit(expr: Expr, unit: float) -> tuple[Expr, float]:
-    """A typed length as its number and the metres in its unit; a bare one is in the unit of the sheet."""
-    if isinstance(expr, Product) and isinstance(expr.factors[-1], Unit):
-        name = expr.factors[-1].name
-        if len(expr.factors) == 2 and name in LENGTH_UNITS:  # noqa: PLR2004  a number and its unit
-            return expr.factors[0], float(LENGTH_UNITS[name])
+    """A typed length, or an area, as its number and the metres in its unit; a bare one is in that of the sheet."""
+    if isinstance(expr, Product) and len(expr.factors) == 2:  # noqa: PLR2004  a number and its unit
+        number, measure = expr.factors
+        base, power = (measure.base, measure.exponent) if isinstance(measure, Power) else (measure, 1)
+        if isinstance(base, Unit) and base.name in LENGTH_UNITS:
+            return number, float(LENGTH_UNITS[base.name] ** power)
     return expr, unit
 
 

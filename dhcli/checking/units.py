@@ -46,6 +46,16 @@ def is_measure(expr: Expr, scope: Scope) -> bool:
     return degree(expr, scope) == 1
 
 
+def is_homogeneous(expr: Expr, scope: Scope) -> bool:
+    """Whether only likes are added in an expression: lengths to lengths, numbers to numbers."""
+    if isinstance(expr, Sum):
+        alike = len({degree(term, scope) for term in expr.terms}) == 1
+        return alike and all(is_homogeneous(term, scope) for term in expr.terms)
+    if isinstance(expr, Product):
+        return all(is_homogeneous(factor, scope) for factor in expr.factors)
+    return not isinstance(expr, Power) or is_homogeneous(expr.base, scope)
+
+
 def has_length_unit(expr: Expr) -> bool:
     """Whether a unit of length stands somewhere in an expression."""
     return any(isinstance(node, Unit) and node.name in LENGTH_UNITS for node in walk(expr))

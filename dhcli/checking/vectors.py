@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from dhcli.checking.lists import closing, untransposed
 from dhcli.errors import NotationError
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
@@ -12,9 +13,10 @@ from dhcli.notation.walk import substitute, symbols
 from dhcli.notation.writer import write
 from dhcli.regex import regex
 
-_TRANSPOSED = regex(r"(?:\^ ?\{? ?\\?(?:T|top|mathsf\{T\}) ?\}?|\.T|\.?') ?$")
 _AXIS = regex(r"([+−-]?) ?([xyz]) ?['_]{0,3}\{?\d{0,3}\}? ?(?:axis)?")  # noqa: RUF001
-_NAMED = regex(r"(^|[,;\n])[ \t]{0,9}(?:[xyz]|[pd]_?\{?[xyz]\}?)[ \t]{0,9}=")
+_NAMED = regex(r"(^|[,;\n])[ \t]{0,9}(?:[xyz]|[pd]_?\{?[xyz]\}?)[ \t]{0,9}[=:]")
+_POINT = regex(r"[A-Z]['_]?\d{0,2} ?(?=\()")
+"""The name of a point before its coordinates, `P(1, 2, 3)`."""
 _NAMED_BESIDE = regex(r"(?:^|(?<=[^\s,;=])\s+)(?:[xyz]|[pd]_?\{?[xyz]\}?)[ \t]{0,9}=")
 """The same between blanks, `x = 1 y = 2 z = 3`."""
 _UNIT_BEHIND = regex(
@@ -40,12 +42,14 @@ def as_column(text: str, scope: Scope, *, is_axis: bool) -> str:
         scope: The names it may use.
         is_axis: Whether a direction was asked for, which `+y` is.
     """
-    body = _TRANSPOSED.sub("", text.strip())
-    if (match := _UNIT_BEHIND.fullmatch(body)) and _is_whole(vector := _TRANSPOSED.sub("", match["vector"])):
+    body = untransposed(text.strip())
+    if (match := _UNIT_BEHIND.fullmatch(body)) and _is_whole(vector := untransposed(match["vector"])):
         return f"{as_column(vector, scope, is_axis=is_axis)} {match['unit']}"
     if is_axis and (match := _AXIS.fullmatch(body)):
         sign = "-" if match[1] == "-" else ""
         return "[" + " ".join(f"{sign}1" if name == match[2] else "0" for name in "xyz") + "]"
+    if (match := _POINT.match(body)) and set(body) & set(",;|") and not scope.has(match[0].strip()):
+        body = body[match.end() :]
     if body.startswith("(") and body.endswith(")") and _closes_at_end(body):
         body = body[1:-1]
     named = [piece for piece in _NAMED_BESIDE.split(body) if piece]  # the first name may be off, as a label is
@@ -105,9 +109,4 @@ def _is_whole(text: str) -> bool:
 
 def _closes_at_end(text: str) -> bool:
     """Whether the first bracket closes with the last character."""
-    depth = 0
-    for i, letter in enumerate(text):
-        depth += (letter in "([") - (letter in ")]")
-        if depth == 0:
-            return i == len(text) - 1
-    return False
+    return closing(text) == len(text) - 1

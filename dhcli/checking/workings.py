@@ -108,7 +108,7 @@ def _values(exercise: Exercise, chain: Chain) -> str:
     """The values that go into a matrix of numbers."""
     if not exercise.numeric:
         return ""
-    unit = "" if exercise.unit == "none" else exercise.unit
+    unit = exercise.behind.strip()
     wanted = sorted(names(chain) & exercise.values.keys(), key=natural_key)
     listed = ", ".join(f"{name} = {value_text(exercise.values[name], unit)}" for name in wanted)
     return f", with {listed}" if listed else ""

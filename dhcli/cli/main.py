@@ -107,7 +107,7 @@ def usage_problem(error: Exception) -> Problem:
         message = f"{path} needs {message.removeprefix('Missing argument ')}"
         if missing is not None and getattr(missing, "help", None):
             meant = missing.help.rstrip(".")
-            meant = meant if meant[:2].isupper() else meant[0].lower() + meant[1:]
+            meant = meant if meant[1:2].isupper() else meant[0].lower() + meant[1:]
             hint = f"{missing.make_metavar(context)} is {meant}; {hint}"
     message = message.replace("a valid int range", "a whole number").replace("a valid integer range", "a whole number")
     return Problem(message[:1].lower() + message[1:], Place(""), hint)

@@ -67,5 +67,13 @@ def rotate(rows: Rows[N], plane: tuple[int, int], cos: N | int, sin: N | int) ->
     first, second = plane
     upper, lower = rows[first], rows[second]
     minus = times(-1, sin)
-    rows[first] = [plus(times(cos, u), times(minus, v)) for u, v in zip(upper, lower, strict=True)]
-    rows[second] = [plus(times(sin, u), times(cos, v)) for u, v in zip(upper, lower, strict=True)]
+    if type(cos) is int and cos == 0:  # a right angle changes the places of the rows
+        rows[first], rows[second] = [times(minus, v) for v in lower], [times(sin, u) for u in upper]
+        return
+    for at, (u, v) in enumerate(zip(upper, lower, strict=True)):  # most entries are 0
+        if type(v) is int and v == 0:
+            upper[at], lower[at] = times(cos, u), times(sin, u)
+        elif type(u) is int and u == 0:
+            upper[at], lower[at] = times(minus, v), times(cos, v)
+        else:
+            upper[at], lower[at] = plus(times(cos, u), times(minus, v)), plus(times(sin, u), times(cos, v))

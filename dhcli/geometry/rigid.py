@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from dhcli.frozen import frozen
 from dhcli.geometry.motion import inverse
-from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, cross, dot, plus, scaled
+from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, dot, plus, scaled
 
 
 @frozen
@@ -35,12 +35,16 @@ class Rigid:
         Source: Rodrigues' formula.
         """
         cos, sin = math.cos(angle), math.sin(angle)
-        columns = [
-            plus(plus(scaled(unit, cos), cross(axis, unit), sin), axis, dot(axis, unit) * (1 - cos)) for unit in UNITS
-        ]
-        (a, d, g), (b, e, h), (c, f, i) = columns
-        rotation = cls(((a, b, c), (d, e, f), (g, h, i)))
-        return cls(rotation.rows, plus(through, rotation.turned(through), -1))
+        x, y, z = axis
+        u, v, w = scaled(axis, 1 - cos)
+        rotation = cls(
+            (
+                (cos + u * x, v * x - sin * z, w * x + sin * y),
+                (u * y + sin * z, cos + v * y, w * y - sin * x),
+                (u * z - sin * y, v * z + sin * x, cos + w * z),
+            )
+        )
+        return rotation if through is ORIGIN else cls(rotation.rows, plus(through, rotation.turned(through), -1))
 
     @property
     def motion(self) -> tuple[tuple[float, float, float, float], ...]:
@@ -51,7 +55,9 @@ class Rigid:
 
     def turned(self, vector: Vector) -> Vector:
         """A direction after the motion."""
-        return dot(self.rows[0], vector), dot(self.rows[1], vector), dot(self.rows[2], vector)
+        (a, b, c), (d, e, f), (g, h, i) = self.rows
+        x, y, z = vector
+        return a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z
 
     def moved(self, point: Vector) -> Vector:
         """A point after the motion."""
@@ -64,12 +70,15 @@ class Rigid:
     def __matmul__(self, other: Rigid) -> Rigid:
         """`motion.product` written out: it is most of what comparing robots costs."""
         (a, b, c), (d, e, f), (g, h, i) = other.rows
-        x, y, z = other.offset
-        rows, ends = [], []
-        for (r, s, t), end in zip(self.rows, self.offset, strict=True):
-            rows.append((r * a + s * d + t * g, r * b + s * e + t * h, r * c + s * f + t * i))
-            ends.append(r * x + s * y + t * z + end)
-        return Rigid((rows[0], rows[1], rows[2]), (ends[0], ends[1], ends[2]))
+        (k, l, m), (n, o, p), (q, r, s) = self.rows  # noqa: E741  in alphabetical order
+        return Rigid(
+            (
+                (k * a + l * d + m * g, k * b + l * e + m * h, k * c + l * f + m * i),
+                (n * a + o * d + p * g, n * b + o * e + p * h, n * c + o * f + p * i),
+                (q * a + r * d + s * g, q * b + r * e + s * h, q * c + r * f + s * i),
+            ),
+            self.moved(other.offset),
+        )
 
     def then_turned(self, plane: tuple[int, int], cos: float, sin: float) -> Rigid:
         """The motion with a turn behind it, in its own frame.

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from dhcli.algebra.arrays import library_of
-from dhcli.errors import RobotError
+from dhcli.errors import RobotError, plural
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.frames import ends
 from dhcli.kinematics.playing import play
@@ -82,9 +82,11 @@ def joint_rows(robot: Robot, Q: ArrayLike) -> NDArray[np.float64]:  # noqa: N803
             raise RobotError("Q holds complex numbers", "joint values are real: Q.real, if that is what is meant")
         q = np.asarray(Q, dtype=np.float64)
     except (ValueError, TypeError, OverflowError):
-        raise RobotError("Q is no array of numbers", f"wanted: rows of {wanted} numbers, all as long") from None
+        raise RobotError(
+            "Q is no array of numbers", f"wanted: rows of {plural(wanted, 'number')}, all as long"
+        ) from None
     if q.ndim != 2 or q.shape[1] != wanted:  # noqa: PLR2004  rows and columns
-        raise RobotError(f"{robot.name} has {wanted} joints; Q has the shape {q.shape}, not (N, {wanted})")
+        raise RobotError(f"{robot.name} has {plural(wanted, 'joint')}; Q has the shape {q.shape}, not (N, {wanted})")
     return q
 
 

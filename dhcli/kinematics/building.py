@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TypeVar
 
-from dhcli.errors import NotationError, Place, Problem, RobotError, UnknownNameError, did_you_mean
+from dhcli.errors import NotationError, Place, Problem, RobotError, UnknownNameError, did_you_mean, plural
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
 from dhcli.kinematics.derived import Value
 from dhcli.kinematics.description import Description, Link
@@ -81,7 +81,7 @@ def _row(row: object, number: int, scope: Scope) -> Row:
     else:
         cells = list(tuple_of(row, str(place), _A_ROW))
     if len(cells) != len(COLUMNS):
-        raise RobotError(Problem(f"{len(cells)} cells, not four", place, "a, alpha, d, theta"))
+        raise RobotError(Problem(f"{plural(len(cells), 'cell')}, not four", place, "a, alpha, d, theta"))
     a, alpha, d, theta = cells
     return Row(
         _length(a, scope, place), _angle(alpha, scope, place), _length(d, scope, place), _angle(theta, scope, place)

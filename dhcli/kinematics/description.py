@@ -9,10 +9,10 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Literal
 
-from dhcli.errors import RobotError, did_you_mean
+from dhcli.errors import RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.actuators import Actuators
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row
+from dhcli.kinematics.conventions import COLUMNS, Convention, Row, convention_hint
 from dhcli.kinematics.derived import Formula, Value
 from dhcli.kinematics.given import chain_of, mapping_of, tuple_of, value_of
 from dhcli.kinematics.moves import Chain, angle_names, expressions, names, product_text
@@ -206,7 +206,7 @@ def _values(given: object, part: str, turning: Sequence[bool], hint: str = "") -
     """Values one by one; how many there should be, other rules say, but limits are always two."""
     found = tuple_of(given, part, hint)
     if hint and len(found) != len(turning):
-        raise RobotError(f"{part}: {len(found)} values", hint)
+        raise RobotError(f"{part}: {plural(len(found), 'value')}", hint)
     kinds = [*turning, *[False] * len(found)]
     return tuple(value_of(each, part, is_angle=is_angle) for each, is_angle in zip(found, kinds, strict=False))
 
@@ -222,4 +222,4 @@ def _convention(given: Convention | str) -> Convention:
         return Convention(given)
     except ValueError:
         known = [convention.value for convention in Convention]
-        raise RobotError(f"convention: {given!r:.60} is not known", did_you_mean(str(given), known)) from None
+        raise RobotError(f"convention: {given!r:.60} is not known", convention_hint(str(given), known)) from None

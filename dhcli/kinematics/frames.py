@@ -87,8 +87,10 @@ def frame(robot: Robot, name: str | int) -> str:
     """
     text = str(name).strip().lower()
     if text not in robot.frames:
-        frames = ", ".join(robot.frames)
-        raise UnknownNameError(f"{robot.name} has no frame {name}", f"frames: {frames}")
+        hint = f"frames: {', '.join(robot.frames)}"
+        if robot.path is not None and robot.path.suffix.lower() == ".urdf":
+            hint += f"; a link of the URDF is the last frame with --tip {name}, and frame 0 with --base {name}"
+        raise UnknownNameError(f"{robot.name} has no frame {name}", hint)
     return text
 
 

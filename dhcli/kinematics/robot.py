@@ -175,6 +175,12 @@ class Robot(Description):
             raise RobotError(f"{path!r:.60} is no path", "write robot.save('arm.yaml')")
         _above("files.yaml.writing", "save_robot")(self, path, overwrite=overwrite)
 
+    @property
+    def typed(self) -> str:
+        """What is typed behind a command to mean it: its name, or its path where no name leads there."""
+        words: str = _above("files.library.lookup", "typed")(self.name, self.path)
+        return words
+
     def copy(
         self,
         *,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from dhcli.algebra.arrays import Array, Namespace, play
-from dhcli.errors import RobotError
+from dhcli.errors import RobotError, plural
 from dhcli.kinematics.recorded import Recording
 from dhcli.kinematics.robot import Robot
 
@@ -42,7 +42,7 @@ def trace(
     wanted = len(robot.variables)
     if q.ndim == 0 or q.shape[-1] != wanted:
         shape = tuple(q.shape)
-        raise RobotError(f"{robot.name} has {wanted} joints; Q has the shape {shape}, not (..., {wanted})")
+        raise RobotError(f"{robot.name} has {plural(wanted, 'joint')}; Q has the shape {shape}, not (..., {wanted})")
     if not xp.isdtype(q.dtype, "real floating"):
         raise RobotError(f"Q holds numbers of {q.dtype}, not floats", "joint values are real: Q.astype(float)")
     return play(recording.program(merged=False), q, xp), q, xp

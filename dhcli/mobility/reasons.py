@@ -11,6 +11,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from dhcli.errors import plural
 from dhcli.geometry.rank import TIGHT, Rank, rank_of, spaces
 from dhcli.mobility.copies import disturbed, generic, twisted
 from dhcli.mobility.decision import Truth
@@ -174,7 +175,7 @@ def _special_position(truth: Truth, mobility: int) -> str:
     if mobility == len(truth.idle):
         how = f" The gap grows like the displacement to the power {truth.order}." if truth.order else ""
         return (
-            f"It is shaky: for an instant it yields in {more} direction{'s' * (more > 1)}, but it cannot move on.{how} "
+            f"It is shaky: for an instant it yields in {plural(more, 'direction')}, but it cannot move on.{how} "
             "Real parts with a little play will wobble."
         )
     return (

@@ -6,6 +6,7 @@ from abc import abstractmethod
 from collections.abc import Sequence
 from fractions import Fraction
 
+from dhcli.errors import plural
 from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle
 from dhcli.notation.brackets import OPENING, STEPS
 from dhcli.notation.glued import in_degrees
@@ -103,7 +104,7 @@ class Calls(Operators):
     def _apply(self, name: str, arguments: list[Expr], token: Token) -> Expr:
         wanted = 2 if name == "atan2" else 1
         if len(arguments) != wanted:
-            raise self.error(f"{name} takes {wanted} argument{'s'[: wanted - 1]}, not {len(arguments)}", "", token)
+            raise self.error(f"{name} takes {plural(wanted, 'argument')}, not {len(arguments)}", "", token)
         argument = arguments[0]
         if name == "sqrt":
             return self._build(token, power, argument, HALF)

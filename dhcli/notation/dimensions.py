@@ -23,6 +23,20 @@ LENGTH_UNITS = {
 ANGLE_UNITS = frozenset(("deg", "degree", "degrees", "°", "rad", "radian", "radians"))
 UNITS = ANGLE_UNITS | LENGTH_UNITS.keys()
 
+_OTHER_WORDS = {
+    "mm": ("millimeter", "millimeters", "millimetre", "millimetres", "millimètre", "millimètres"),
+    "cm": ("centimeter", "centimeters", "centimetre", "centimetres", "zentimeter"),
+    "m": ("meter", "meters", "metre", "metres", "mètre", "mètres", "metro", "metri"),
+    "in": ("inches", "zoll"),
+    "°": ("grad", "degré", "degrés", "grados", "gradi", "o"),
+}
+
+
+def unit_meant(word: str) -> str:
+    """The unit that a word means which is none that is read, such as millimetres; empty if it means none."""
+    return next((unit for unit, words in _OTHER_WORDS.items() if word.lower() in words), "")
+
+
 INVERSE = frozenset(("acos", "asin", "atan", "atan2"))
 """Functions whose value is an angle."""
 
@@ -76,14 +90,10 @@ def check_is(expr: Expr, wanted: Fraction) -> None:
         return
     if wanted == _NUMBER:
         raise DimensionError(f"this is {_called(found)}, a number is wanted", "leave the unit out")
+    hint = {Fraction(1): "write 0.4 m or 400 mm", Fraction(2): "write 0.4 m^2"}.get(wanted, "write 0.4 m^3")
     if found == _NUMBER:
-        raise DimensionError("the units cancel, and a length is wanted", "write 0.4 m or 400 mm")
-    raise DimensionError(f"this is {_called(found)}, a length is wanted", "write 0.4 m or 400 mm")
-
-
-def check_length(expr: Expr) -> None:
-    """Make sure that an expression in which units stand is a length."""
-    check_is(expr, _LENGTH)
+        raise DimensionError(f"the units cancel, and {_called(wanted)} is wanted", hint)
+    raise DimensionError(f"this is {_called(found)}, {_called(wanted)} is wanted", hint)
 
 
 def has_units(expr: Expr) -> bool:

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from dhcli.errors import Place
+from dhcli.errors import Place, plural
 from dhcli.frozen import frozen
 from dhcli.notation.brackets import OPENING
 from dhcli.notation.cells import cells_in, matching, rows_in, trimmed, with_depths
@@ -18,7 +18,7 @@ from dhcli.notation.parser import read_all
 from dhcli.notation.scaled import times, without_factor
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tokens import MOST_CHARACTERS, Source, Token, tokenize
-from dhcli.notation.tree import ONE, Expr
+from dhcli.notation.tree import ONE, Expr, Unit
 from dhcli.regex import regex
 
 MOST_CELLS = 256
@@ -38,11 +38,19 @@ _COMMENT = regex(r"^[ \t]*[%#].*$", re.MULTILINE)
 
 @frozen
 class Cell:
-    """One entry of a matrix as it was typed and as it was read."""
+    """One entry of a matrix as it was typed and as it was read.
+
+    Attributes:
+        expr: As it was read, with the unit that stands behind the whole matrix.
+        text: As it was typed.
+        start: Offset of its first character.
+        own: As it was read without that unit, which directions among lengths do not have.
+    """
 
     expr: Expr
     text: str
     start: int
+    own: Expr
 
 
 def parse_matrix(text: str, scope: Scope = OPEN, place: Place | None = None) -> tuple[tuple[Cell, ...], ...]:
@@ -89,13 +97,13 @@ def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[
             hint = "the bottom row of a pose is 0 0 0 1"
         raise source.error(
             rows[odd][0][0].start,
-            f"row {odd + 1} has {widths[odd]} cell{'s'[: widths[odd] != 1]} where others have {usual}: {shown}",
+            f"row {odd + 1} has {plural(widths[odd], 'cell')} where others have {usual}: {shown}",
             hint,
         )
     read = tuple(tuple(_cell(source, cell, scope) for cell in row) for row in rows)
-    if scaled.factor == ONE:
-        return read
-    return tuple(tuple(replace(cell, expr=times(scaled.factor, cell.expr)) for cell in row) for row in read)
+    if scaled.factor != ONE:
+        read = tuple(tuple(_scaled(cell, scaled.factor) for cell in row) for row in read)
+    return tuple(zip(*read, strict=True)) if scaled.is_transposed else read
 
 
 def _without_axes(rows: list[list[list[Token]]]) -> list[list[list[Token]]]:
@@ -120,7 +128,13 @@ def _cell(source: Source, tokens: list[Token], scope: Scope) -> Cell:
     end = tokens[-1].end
     if end - tokens[0].start > MOST_CHARACTERS:
         raise source.error(tokens[0].start, f"a cell of more than {MOST_CHARACTERS} characters is not read")
-    return Cell(read_all(source, tokens, scope), _text(source, tokens), tokens[0].start)
+    expr = read_all(source, tokens, scope)
+    return Cell(expr, _text(source, tokens), tokens[0].start, expr)
+
+
+def _scaled(cell: Cell, factor: Expr) -> Cell:
+    expr = times(factor, cell.expr)
+    return replace(cell, expr=expr, own=cell.expr if isinstance(factor, Unit) else expr)
 
 
 def _text(source: Source, tokens: list[Token]) -> str:

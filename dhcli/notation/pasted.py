@@ -5,9 +5,10 @@ from __future__ import annotations
 import json
 import re
 
-from dhcli.errors import NotationError
+from dhcli.errors import NotationError, are
+from dhcli.notation.commas import Shape, with_points
 from dhcli.notation.matrix import bracketed, parse_matrix
-from dhcli.notation.screens import equations, plain, with_factor, with_points
+from dhcli.notation.screens import equations, plain, with_factor
 from dhcli.regex import regex
 
 _LABEL = regex(r"\s*(?:[^=+*/\[\](){},;|<>\n-]|\{[^{}=\n]{0,20}\}|\([^()=\n]{0,20}\)){1,40}=\s*&?\s*(?=[^\s=])")
@@ -30,18 +31,23 @@ class EntriesError(ValueError):
     """A list of entries that makes no matrix: one is missing, or stands there twice."""
 
 
-def without_label(text: str) -> str:
-    """A text without `T_03 =` in front, and without what a screen shows around a matrix."""
+def without_label(text: str, shape: Shape | None = None) -> str:
+    """A text without `T_03 =` in front, without what a screen shows around a matrix, and without decimal commas.
+
+    Args:
+        text: A matrix or a list.
+        shape: Its rows and columns, where they are known.
+    """
     text = plain(text)
     lines = _SCREEN.findall(text)
     if lines:
         return "\n".join(lines)
     text = _DECLARED.sub("", _CONTINUED.sub("", text))
     match = _NAMED_MATRIX.match(text) or _LABEL.match(text)
-    return with_points(with_factor(text[match.end() :] if match else text))
+    return with_points(with_factor(text[match.end() :] if match else text), shape)
 
 
-def rows_of(text: str, shape: tuple[int, int]) -> str:
+def rows_of(text: str, shape: Shape) -> str:
     """A matrix in brackets, where a text is dhcli's JSON or a list of entries such as `r11 = c1`, `px = a1*c1`.
 
     Raises:
@@ -66,7 +72,7 @@ def rows_of(text: str, shape: tuple[int, int]) -> str:
         return text
     missing = [name for row in wanted for name in row if name not in entries]
     if missing:
-        raise EntriesError(f"{', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing")
+        raise EntriesError(f"{', '.join(missing)} {are(len(missing))} missing")
     if shape == _VECTOR:  # in a row, where commas keep `a1 c1` one coordinate
         return "[" + ", ".join(entries[row[0]] for row in wanted) + "]"
     bottom = [["0", "0", "0", "1"]] if shape == _POSE else []

@@ -16,7 +16,7 @@ from dhcli.notation.dimensions import (
     LENGTH_UNITS,
     UNITS,
     DimensionError,
-    check_length,
+    check_is,
     in_metres,
     is_inverse,
 )
@@ -86,8 +86,12 @@ def to_angle(expr: Expr, *, bare: Bare = "rad") -> Angle:
     return angle
 
 
-def to_length(expr: Expr) -> Expr:
+def to_length(expr: Expr, power: int = 1) -> Expr:
     """Read an expression as a length or plain number: units become metres, angle units are refused.
+
+    Args:
+        expr: The expression.
+        power: What its units are to be: 1 for those of a length, 2 for those of an area.
 
     Raises:
         DimensionError: A unit of angle where a length is wanted, an area, units that cancel, or no length at all.
@@ -106,7 +110,7 @@ def to_length(expr: Expr) -> Expr:
                 raise DimensionError(f"{node.name} is a unit of angle, a length is wanted", "write 0.4 m or 400 mm")
     if not measured:
         return expr
-    check_length(expr)
+    check_is(expr, Fraction(power))
     return in_metres(expr)
 
 
@@ -126,13 +130,13 @@ def with_unit(expr: Expr, unit: str) -> Expr:
     return add(*(found if measured else map(in_metres, found)))
 
 
-def to_plain_length(expr: Expr) -> Expr:
+def to_plain_length(expr: Expr, power: int = 1) -> Expr:
     """Read an expression as a length or number that is no angle: `to_length` but for `atan2(1, 2)` and its like.
 
     Raises:
         DimensionError: As `to_length`, or it is an angle by an inverse function.
     """
-    length = to_length(expr)
+    length = to_length(expr, power)
     if is_inverse(expr):
         raise DimensionError("an inverse function is an angle, a length is wanted", "write 0.4 m or 400 mm")
     return length
@@ -246,7 +250,9 @@ def _constant(scale: Fraction, unit: str, bare: Bare) -> Angle:
     if unit == "bare":
         if scale and bare == "refuse":
             shown = float(scale)
-            turned = math.radians(shown) if abs(shown) > 2 * math.pi else shown  # nobody means 90 radians
-            raise DimensionError(f"the angle {shown:g} has no unit", f"write {shown:g}° or {turned:.5g} rad")
+            turned = (
+                f"{math.radians(shown):.5g}" if abs(shown) > 2 * math.pi else f"{shown:g}"
+            )  # nobody means 90 radians
+            raise DimensionError(f"the angle {shown:g} has no unit", f"write {shown:g}° or {turned} rad")
         unit = bare
     return Angle(radians=scale) if unit in _RADIANS else Angle(degrees=scale)

@@ -1,4 +1,4 @@
-r"""A factor beside a matrix, `\frac{1}{2} \begin{bmatrix} ... \end{bmatrix}`, or a unit behind it, is each cell's."""
+r"""What stands beside a matrix: a factor, `\frac{1}{2} \begin{bmatrix} ... \end{bmatrix}`, a unit, a raised T."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from dhcli.notation.walk import symbols
 
 _LARGEST_POWER = 9
 _SEPARATORS = frozenset(",;&|=")
+_TRANSPOSED = (("^", "T"), ("^", "top"), ("^", "{", "T", "}"), ("^", "{", "top", "}"), ("'",))
 
 
 @frozen
@@ -26,14 +27,16 @@ class Scaled:
     Attributes:
         body: The tokens of the matrix.
         factor: What every cell is to be multiplied with; 1 where nothing stands.
+        is_transposed: Whether rows are written for columns, as the sign behind it says.
     """
 
     body: list[Token]
     factor: Expr = ONE
+    is_transposed: bool = False
 
 
 def without_factor(source: Source, tokens: list[Token], scope: Scope, wrappers: frozenset[str]) -> Scaled:
-    """Take the factor off a matrix, if one stands before or behind it.
+    """Take the factor, the unit and the sign of a transposition off a matrix, if any stand before or behind it.
 
     Args:
         source: The text.
@@ -50,11 +53,16 @@ def without_factor(source: Source, tokens: list[Token], scope: Scope, wrappers: 
     before, after = trimmed(tokens[:start]), trimmed(tokens[end + 1 :])
     if not (before or after) or not _is_factor(before) or not _is_factor(after):
         return Scaled(tokens)
+    sign = next((sign for sign in _TRANSPOSED if tuple(token.text for token in after[: len(sign)]) == sign), ())
+    after, turned = after[len(sign) :], bool(sign)
+    body = tokens[start : end + 1]
+    if not before and not after:
+        return Scaled(body, is_transposed=turned)
     if not before and len(after) == 1 and after[0].text in LENGTH_UNITS:
-        return Scaled(tokens[start : end + 1], Unit(after[0].text))
+        return Scaled(body, Unit(after[0].text), turned)
     if after and after[0].text not in ("*", "/"):
         return Scaled(tokens)  # the number of an equation, or another matrix
-    if not any(token.text in _SEPARATORS or token.kind == "newline" for token in tokens[start:end]):
+    if not any(token.text in _SEPARATORS or token.kind == "newline" for token in body[:-1]):
         return Scaled(tokens)
     signed = bool(before and before[-1].text == "*") or bool(after and after[0].text in ("*", "/"))
     factor: Expr = ONE
@@ -63,7 +71,7 @@ def without_factor(source: Source, tokens: list[Token], scope: Scope, wrappers: 
             factor = multiply(factor, _read(source, side, scope))
     if symbols(factor) and not signed:
         return Scaled(tokens)  # `T [1 0; 0 1]` has a label without its sign
-    return Scaled(tokens[start : end + 1], factor)
+    return Scaled(body, factor, turned)
 
 
 def times(factor: Expr, cell: Expr) -> Expr:

@@ -1,13 +1,11 @@
 r"""Text as it stands on a screen or in a paper, down to what was meant: no display environments, no final stop.
 
 What dhcli prints for people has a heading and names for brackets; papers set formulas in `$$`, `\[` or `align` and
-end them with a full stop; MATLAB sets a common factor above a matrix; German screens write 0,5. Every step leaves alone
+end them with a full stop; MATLAB sets a common factor above a matrix. Every step leaves alone
 what it does not know for certain, and goes through a text once.
 """
 
 from __future__ import annotations
-
-import re
 
 from dhcli.regex import regex
 
@@ -31,8 +29,6 @@ _MORE_HEADING = regex(r"^[^=⎡⎢⎣\[]{1,20} = [^·]{1,40}(?: · .*)?$|^length
 _LET = regex(r"^[^\S\n]*(?:let[^\S\n]+)?(k[0-9]{1,3})[^\S\n]*=[^\S\n]*(\S.*)$")
 _NAME_OF_BRACKET = regex(r"(?<![\w.])k[0-9]{1,3}(?![\w])")
 _COMMON_FACTOR = regex(r"\s*([0-9](?:\.[0-9]{1,20})?[eE][+-]?[0-9]{1,3})[^\S\n]*\*[^\S\n]*\n")
-_GRID = regex(r"[\s0-9,;.eE\[\]()+−–-]*")  # noqa: RUF001
-_NUMBER = regex(r"[+−–-]?[0-9]{1,30}(?:,[0-9]{1,30})?(?:[eE][+-]?[0-9]{1,3})?")  # noqa: RUF001
 _STYLED = regex(r"[\U0001d400-\U0001d7ff\u210e\uff01-\uff5e\u3000]")
 _SIGNS = {
     "ᵀ": "^T",
@@ -53,8 +49,6 @@ _SIGNS = {
 """What stands around vectors and in those of their axes, to the hat of k̂; and fractions in one sign."""
 _MIXED = regex(r"(?<![\w.,])([0-9]{1,30})([½⅓⅔¼¾])")
 """A mixed number: 2½ is two and a half, not twice a half."""
-
-_SIDES = (3, 4)
 
 
 def plain(text: str) -> str:
@@ -94,21 +88,6 @@ def with_factor(text: str) -> str:
     """A matrix under MATLAB's `1.0e+03 *` as that number times the matrix."""
     found = _COMMON_FACTOR.match(text)
     return f"{found[1]}*[{text[found.end() :].strip()}]" if found else text
-
-
-def with_points(text: str) -> str:
-    """A square of numbers with decimal commas between blanks or semicolons, with points; any other text as it is."""
-    if "," not in text or not _GRID.fullmatch(text):
-        return text
-    inside = text.strip().strip("[]()")
-    lines = [line.split() for line in re.split(r"[\n;]", inside) if line.strip()]
-    if "\n" in inside and ";" in inside:  # a table as programs write it where 0,5 is a half
-        lines = [re.split(r"\s*;\s*", line.strip(" ;")) for line in inside.split("\n") if line.strip()]
-    width = len(lines[0]) if lines else 0
-    whole = len(lines) > 1 and width in _SIDES and all(len(line) == width for line in lines)
-    if not whole or not all(_NUMBER.fullmatch(number) for line in lines for number in line):
-        return text
-    return "[" + "; ".join(" ".join(line).replace(",", ".") for line in lines) + "]"
 
 
 def _for_people(text: str) -> str:

@@ -8,6 +8,7 @@ from dataclasses import field
 
 from dhcli.frozen import frozen
 from dhcli.notation.names import GREEK_NAMES, natural_key, parts
+from dhcli.regex import regex
 
 
 @frozen
@@ -44,6 +45,9 @@ class Style:
     decimal: bool = False
     power: str = ""
 
+
+_DERIVED = regex(r"(?P<p>p)(?P<axis>[xyz])|(?P<stem>[a-z]+?)_?(?P<sum>[0-9]+m[0-9]+)")
+"""Names that the formulas of a derivation have besides those of the robot."""
 
 _PYTHON = frozenset(keyword.kwlist)
 RESERVED: Mapping[str, frozenset[str]] = {
@@ -84,6 +88,8 @@ def _in_numpy(name: str) -> str:
 def latex_name(name: str) -> str:
     r"""A name as LaTeX sets it: `theta1` is `\theta_{1}`, `shoulder` is upright."""
     stem, subscript = parts(name)
+    if found := _DERIVED.fullmatch(name):  # px of a position, theta12m4 for theta1 + theta2 - theta4
+        stem, subscript = found["p"] or found["stem"], found["axis"] or found["sum"].replace("m", "-")
     if stem in GREEK_NAMES:
         stem = "\\" + stem
     elif len(stem) > 1:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import field
 from fractions import Fraction
+from functools import lru_cache
 from itertools import pairwise
 from operator import itemgetter
 from typing import Literal
@@ -286,16 +287,22 @@ def multiply(*factors: Expr) -> Expr:
 def _plain_product(factors: tuple[Expr, ...]) -> Expr | None:
     """The product of names, cosines and sines, all of them others, and one bracket at most, as most products are.
 
-    None where numbers or equal bases have to be gathered. What is the same has the same place in the order.
+    None where numbers but -1 or equal bases have to be gathered. What is the same has the same place in the order.
     """
-    ordered, brackets = [], 0
+    ordered: list[tuple[tuple[int, tuple[object, ...], bool], Expr]] = []
+    has_bracket = minus = False
     for factor in _flat(factors, Product):
-        kind = type(factor)
-        if kind is Sum:
-            brackets += 1
-            if brackets > 1 or is_negative(factor.terms[0]):  # type: ignore[attr-defined]
-                return None
-        elif kind is not Symbol and kind is not Trig:
+        if type(factor) is Trig:
+            ordered.append((_trig_key(factor), factor))
+            continue
+        if type(factor) is Number and factor.places is None and factor.value == -1:
+            minus = not minus
+            continue
+        if type(factor) is Sum and not has_bracket:
+            has_bracket = True
+            if is_negative(factor.terms[0]):
+                factor, minus = negate(factor), not minus  # noqa: PLW2901  the sign moves outside the bracket
+        elif type(factor) is not Symbol:
             return None
         ordered.append((factor_key(factor), factor))
     if len(ordered) < 2:  # noqa: PLR2004
@@ -303,7 +310,8 @@ def _plain_product(factors: tuple[Expr, ...]) -> Expr | None:
     ordered.sort(key=itemgetter(0))
     if any(one[0] == other[0] for one, other in pairwise(ordered)):
         return None
-    return Product(tuple([factor for _, factor in ordered]))
+    in_order = [factor for _, factor in ordered]
+    return Product((MINUS_ONE, *in_order) if minus else tuple(in_order))
 
 
 def power(base: Expr, exponent: Fraction | int) -> Expr:
@@ -337,11 +345,18 @@ def factor_key(factor: Expr) -> tuple[int, tuple[object, ...], bool]:
     if type(base) is Symbol:
         return (2, natural_key(base.name), divides)
     if type(base) is Trig:
-        angle = base.angle
-        names = tuple(natural_key(name) for name, _ in angle.terms)
-        multiples = tuple(multiple for _, multiple in angle.terms)
-        return (3, (names, angle.degrees, angle.radians, base.function, multiples), divides)
+        key = _trig_key(base)
+        return (*key[:2], True) if divides else key
     return (1 if type(base) in (Constant, Unit) else 4, (), divides)
+
+
+@lru_cache(4096)
+def _trig_key(factor: Trig) -> tuple[int, tuple[object, ...], bool]:
+    """Of a cosine or sine; a formula has few of them, and multiplies them again and again."""
+    angle = factor.angle
+    names = tuple(natural_key(name) for name, _ in angle.terms)
+    multiples = tuple(multiple for _, multiple in angle.terms)
+    return (3, (names, angle.degrees, angle.radians, factor.function, multiples), False)
 
 
 def _lift(value: Expr | int) -> Expr:
@@ -381,6 +396,9 @@ def _add_numbers(first: Number, second: Number) -> Number:
 def _multiply_numbers(first: Number, second: Number) -> Number:
     if second.value == 1 and second.places is None:
         return first
+    if first is ONE and second.places is None:
+        _check_size(second.value)
+        return second
     places = [n.places for n in (first, second) if n.places is not None]
     product = Number(first.value * second.value, sum(places) if 0 < sum(places) <= MOST_PLACES else None)
     _check_size(product.value)

@@ -31,6 +31,8 @@ def walk(expr: Expr) -> Iterator[Expr]:
 
 def symbols(expr: Expr) -> frozenset[str]:
     """All names, those inside angles too."""
+    if type(expr) is Number:  # as most that is typed for numbers
+        return frozenset()
     if type(expr) is Symbol:
         return frozenset((expr.name,))
     stack, found = [expr], set[str]()

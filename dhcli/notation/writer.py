@@ -147,6 +147,9 @@ class _Writer:
         if not below:
             return sign + top, PRODUCT
         if self.style.latex:
+            if len(above) == 1 and type(rest) is Product:  # a sum alone above the line needs no brackets
+                sums = [factor for factor in rest.factors if type(factor) is Sum]
+                top = self.expression(sums[0]) if above == [self.bracketed(one, PRODUCT) for one in sums] else top
             return rf"{sign}\frac{{{top}}}{{{self.style.times.join(below)}}}", PRODUCT
         bottom = below[0] if len(below) == 1 else f"({self.style.times.join(below)})"
         return f"{sign}{top}/{bottom}", PRODUCT

@@ -7,6 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any, TypeAlias
 
+from dhcli.errors import plural
 from dhcli.frozen import frozen
 from dhcli.geometry.vectors import Vector
 from dhcli.kinematics.derived import in_floats
@@ -99,7 +100,7 @@ def motion_of(arm: ArmAt, to: JointInput = None, rows: Path = ()) -> Motion:
     start: Any = path[0] if path else arm.q
     arm = replace(arm, q=start)
     first, full = arm.staged(), arm.values()
-    told = f"{len(path)} rows"
+    told = plural(len(path), "row")
     if not path:
         from_ = {name: full[name] for name in robot.variables}
         told, end = posed(robot, to, None, full, arm.bare)

@@ -25,7 +25,7 @@ from dhcli.scene.primitives import Ball, Box, Drum, Face, Scene
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.vectors import along
-from dhcli.scene.words import Run, named, plain
+from dhcli.scene.words import Run, in_line
 
 WIDTH, HEIGHT = 820.0, 640.0
 MARGIN, FOOT = 62.0, 34.0
@@ -119,9 +119,10 @@ class ArmAt:
         if view is None:
             view = VIEWS["top"] if is_planar(Skeleton.of(robot, every)) else best_view(scene)
         scene = replace(scene, hand=broadside(scene, Camera.at(*view)))
-        examples = ", ".join(f"{plain(named(name))} = {value_words(every[name])}" for name in made)
+        examples = ", ".join(f"{in_line(name)} = {value_words(every[name])}" for name in made)
+        name = robot.name * (robot.name != robot.title)
         caption = " · ".join(
-            part for part in (robot.name, NAMES[robot.convention], shown, f"example: {examples}" * bool(made)) if part
+            part for part in (name, NAMES[robot.convention], shown, f"example: {examples}" * bool(made)) if part
         )
         return Staged(scene, view, robot.title, caption, robot.first)
 
@@ -225,7 +226,7 @@ def posed(robot: Robot, q: JointInput, pose: str | None, full: Values, bare: Bar
 
 
 def _listed(values: Mapping[str, Value]) -> str:
-    return ", ".join(f"{plain(named(name))} = {value_words(value)}" for name, value in values.items())
+    return ", ".join(f"{in_line(name)} = {value_words(value)}" for name, value in values.items())
 
 
 def value_words(value: Value) -> str:

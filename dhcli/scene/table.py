@@ -7,12 +7,16 @@ from dataclasses import replace
 from dhcli.kinematics.conventions import COLUMNS, Convention
 from dhcli.kinematics.robot import Link, Robot
 from dhcli.notation.writer import write, write_angle
+from dhcli.regex import regex
 from dhcli.scene.labels import PRINT
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.words import Run, Words, spelled
 
 LINE, GAP = 26.0, 26.0
 """Height of a row, and room between columns [px]."""
+
+_SIDE_BY_SIDE = regex(r"(?<=[)\]])\s*\*?\s*(?=[A-Za-z\[])")
+"""Between two moves of a product, whether a star stands there or not."""
 
 _LETTERS = {"a": "a", "alpha": "α", "d": "d", "theta": "θ"}
 
@@ -54,7 +58,7 @@ def heads(robot: Robot) -> list[Words]:
 def cells(robot: Robot, link: Link) -> list[Words]:
     """The cells of one link, in the order of the columns."""
     if link.row is None:
-        return [spelled(link.product)]
+        return [spelled(_SIDE_BY_SIDE.sub(" * ", link.product))]
     found = []
     for column in _columns(robot):
         if column in ("alpha", "theta"):

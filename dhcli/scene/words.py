@@ -60,5 +60,11 @@ def plain(words: Words) -> str:
     return "".join(run.text for run in words)
 
 
+def in_line(name: str) -> str:
+    """A name in a sentence: `theta1` is θ1, `joint_1` stays."""
+    stem, _ = parts(name)
+    return f"{_LETTERS[stem]}{name.removeprefix(stem)}" if stem in _LETTERS else name
+
+
 def _plain(text: str) -> str:
     return text.replace("-", "−").replace("*", "·").replace(" ", "")

@@ -79,7 +79,7 @@ def workspace_figure(staged: Staged, workspace: Workspace) -> Figure:
         figures.append(Figure(paper.width, paper.height, tuple(shapes), tuple(texts), staged.title))
     sheet = on_one_sheet(figures, staged.title)
     what = f"frame {workspace.frame}, seen from frame {workspace.reference}"
-    caption = f"{staged.caption} · {workspace.count:,} poses of {what}; darker where more of them lead"
+    caption = f"{workspace.count:,} poses of {what}; darker where more of them lead · {staged.caption}"
     low = Paper(sheet.width, sheet.height + paper.foot)
     return replace(sheet, height=low.height, texts=(*sheet.texts, *foot(staged.title, caption, low)), caption=caption)
 

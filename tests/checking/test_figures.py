@@ -15,6 +15,7 @@ from dhcli.files.yaml.exercises import load_exercise
 from dhcli.kinematics.robot import Robot
 from dhcli.mobility.linkage import Linkage
 from dhcli.render.pictures.picture import Picture
+from tests.nightly import in_turn
 
 
 def test_frames_are_shown_beside_these_kinds_of_questions_only() -> None:
@@ -44,7 +45,7 @@ SHOWN_BESIDE = {
 ALWAYS = {"number", "caption"}
 
 
-@pytest.mark.parametrize("name", [entry.name for entry in entries(Kind.EXERCISES)])
+@pytest.mark.parametrize("name", in_turn([entry.name for entry in entries(Kind.EXERCISES)], 0, 2))
 def test_no_label_in_a_picture_says_more_than_every_part_of_the_task_allows(name: str) -> None:
     """What is drawn, label by label, against the list; linkages have no name, no number and no count."""
     exercise = load_exercise(name)

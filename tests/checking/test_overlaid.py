@@ -17,6 +17,7 @@ from dhcli.files.yaml.exercises import load_exercise
 from dhcli.kinematics.values import Values, joint_values
 from dhcli.scene.beside import first_difference
 from dhcli.scene.skeleton import Skeleton
+from tests.nightly import in_turn
 
 
 def _overlaid(exercise: Exercise, part: str, answer: str, values: Values) -> Overlaid:
@@ -28,7 +29,7 @@ def _overlaid(exercise: Exercise, part: str, answer: str, values: Values) -> Ove
     return found
 
 
-@pytest.mark.parametrize("name", [entry.name for entry in entries(Kind.EXERCISES)])
+@pytest.mark.parametrize("name", in_turn([entry.name for entry in entries(Kind.EXERCISES)], 1, 2))
 def test_the_right_answer_lies_on_the_right_frame(name: str) -> None:
     """Of every table, pose, rotation and position of the library, at each pose that may be drawn."""
     exercise = load_exercise(name)

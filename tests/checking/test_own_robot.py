@@ -11,6 +11,7 @@ from dhcli.checking.exercise import Exercise
 from dhcli.checking.judge import Judge
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.yaml.exercises import load_exercise
+from tests.nightly import paired
 
 TURRET = """format: 1
 title: A turret, a telescope and a wrist
@@ -69,8 +70,7 @@ def written(folder: Path, text: str, ask: str, unit: str) -> Exercise:
     return load_exercise(path)
 
 
-@pytest.mark.parametrize("unit", ["m", "mm", "none"])
-@pytest.mark.parametrize("ask", ASKS)
+@pytest.mark.parametrize(("ask", "unit"), paired(ASKS, ["m", "mm", "none"]))
 @pytest.mark.parametrize("text", [TURRET, ELBOW], ids=["turret", "elbow"])
 def test_the_solution_is_right_as_it_is_shown(tmp_path: Path, text: str, ask: str, unit: str) -> None:
     """In letters, with the numbers of the cells in the unit of the sheet, and joint values in numbers all the same."""

@@ -9,7 +9,7 @@ from dhcli.checking.verdicts import Verdict
 from dhcli.notation.quantity import LENGTH_UNITS
 from tests.checking.mutated_kinds import cells_of, exercise_of, written
 from tests.judging import answer_with, expected, mark, shortest, slips
-from tests.nightly import NIGHT
+from tests.nightly import NIGHT, paired
 
 UNITS = ("m", "cm", "mm", "in", "none")
 
@@ -45,16 +45,16 @@ PLAIN: dict[str, str] = {
 }
 
 
-@pytest.mark.parametrize("unit", UNITS)
+ASKED = (*LENGTHS.values(), *PLAIN.values())
+
+
 @pytest.mark.parametrize(
-    ("ask", "numeric"),
-    [
-        *((ask, True) for ask in (*LENGTHS.values(), *PLAIN.values())),
-        *((ask, False) for ask in (*LENGTHS.values(), *PLAIN.values()) if not ask.startswith("rpy")),
-    ],
+    ("asked", "unit"),
+    paired([*((ask, True) for ask in ASKED), *((ask, False) for ask in ASKED if not ask.startswith("rpy"))], UNITS),
 )
-def test_the_right_answer_is_right_as_it_is_shown(ask: str, unit: str, numeric: bool) -> None:
+def test_the_right_answer_is_right_as_it_is_shown(asked: tuple[str, bool], unit: str) -> None:
     """The expected answer and the shortest one, typed on the sheet; rpy is asked for in numbers only."""
+    ask, numeric = asked
     exercise, part = exercise_of(ask, given=GIVEN, unit=unit, numeric=numeric)
     for text in (expected(exercise, part), shortest(exercise, part)):
         assert mark(exercise, part, text).verdict is Verdict.RIGHT, text

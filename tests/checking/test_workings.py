@@ -21,6 +21,7 @@ from dhcli.notation.parser import parse
 from dhcli.notation.quantity import to_length
 from dhcli.notation.writer import write, write_angle
 from tests.judging import expected, mark, shortest, solution
+from tests.nightly import in_turn
 
 EXERCISES = [entry.name for entry in entries(Kind.EXERCISES)]
 
@@ -40,7 +41,7 @@ def lines_after(exercise: Exercise, part: Part, head: str) -> list[str]:
     return []
 
 
-@pytest.mark.parametrize("name", EXERCISES)
+@pytest.mark.parametrize("name", in_turn(EXERCISES, 0, 3))
 def test_the_answer_that_a_solution_shows_is_right_when_it_is_copied(name: str) -> None:
     """In few decimals, a column in one pair of brackets."""
     for exercise, part in parts(name):
@@ -59,7 +60,7 @@ def test_a_small_value_keeps_the_digits_that_it_needs() -> None:
     assert shortest(exercise, exercise.parts[0]) == "[0.0000012345, 2, 0]"
 
 
-@pytest.mark.parametrize("name", EXERCISES)
+@pytest.mark.parametrize("name", in_turn(EXERCISES, 1, 3))
 def test_the_product_of_a_point_is_the_answer(name: str) -> None:
     """Each line holds: what is multiplied gives what stands behind it, in symbols exactly."""
     for exercise, part in parts(name):
@@ -77,7 +78,7 @@ def test_the_product_of_a_point_is_the_answer(name: str) -> None:
                 assert same(left, right, {})
 
 
-@pytest.mark.parametrize("name", EXERCISES)
+@pytest.mark.parametrize("name", in_turn(EXERCISES, 2, 3))
 def test_a_table_is_shown_row_by_row(name: str) -> None:
     """With the four values named, their equals signs below each other."""
     exercise = load_exercise(name)
@@ -91,7 +92,7 @@ def test_a_table_is_shown_row_by_row(name: str) -> None:
                 assert all(f" {column} = " in line for line in lines)
 
 
-@pytest.mark.parametrize("name", EXERCISES)
+@pytest.mark.parametrize("name", in_turn(EXERCISES, 0, 3))
 def test_each_cell_of_a_table_is_found_on_the_way(name: str) -> None:
     """The steps say each x axis with its four cells, and those are the cells of the answer."""
     exercise = load_exercise(name)
@@ -112,7 +113,7 @@ def test_each_cell_of_a_table_is_found_on_the_way(name: str) -> None:
         assert told.index("1  z axes: DH1: ") < told.index("\n3  x axes: ") < told.index("\n4  Each row leads")
 
 
-@pytest.mark.parametrize("name", EXERCISES)
+@pytest.mark.parametrize("name", in_turn(EXERCISES, 1, 3))
 def test_a_cell_of_a_table_is_found_in_its_step(name: str) -> None:
     """The one that has the cell, in either convention."""
     exercise = load_exercise(name)

@@ -170,6 +170,19 @@ def test_a_sheet_is_judged_part_by_part(dhcli: Run, tmp_path: Path) -> None:
     assert "1 of 8 parts solved, 2 of 13 credits" in done.out
 
 
+@pytest.mark.parametrize(
+    ("answer", "told"),
+    [
+        ("-0.30739, 0.4253, 0.2", " (1 of 2 credits)\n    right in m; this sheet is in mm"),
+        ("-307.39, 425.3, 210", " (1.33 of 2 credits)\n"),
+        ("0, 0, 0", ": three lengths\n"),
+    ],
+)
+def test_one_answer_says_what_earned_a_part_of_its_credit(dhcli: Run, answer: str, told: str) -> None:
+    """As a sheet does: half of it where only the unit is another."""
+    assert told in dhcli("check", "scara-pose-in-mm", "--part", "tip", "--answer", answer).out
+
+
 def test_a_sheet_says_what_earned_a_part_of_its_credit(dhcli: Run, tmp_path: Path) -> None:
     """A part of it, and all of it where the slip was made before; what is solved or earned nothing says nothing."""
     wrong = "c12 -s12 0 a1*c1+a2*c12; s12 c12 0 a1*s1-a2*s12; 0 0 1 0; 0 0 0 1"

@@ -55,9 +55,12 @@ def test_json_has_the_formulas(dhcli: Run) -> None:
 
 def test_a_way_back_takes_the_lengths_that_are_not_put_in(dhcli: Run) -> None:
     """Those typed stand as numbers, also in what a derivation writes; with its values all of them do."""
-    assert "def inverse(T, a2=0.3):" in dhcli("ik", "planar-2r", "--code", "python", "--set", "a1=0.5").out
+    assert (
+        "def inverse(T, a2=0.3, tolerance=0.001):"
+        in dhcli("ik", "planar-2r", "--code", "python", "--set", "a1=0.5").out
+    )
     text = dhcli("ik", "planar-2r", "--code", "python", "--with-values", "--set", "a1=0.5").out
-    assert "def inverse(T):" in text
+    assert "def inverse(T, tolerance=0.001):" in text
     assert "0.5 + 0.3*c2" in text
     derived = dhcli("ik", "planar-2r", "--derive", "--set", "a1=0.5").out
     assert " a1" not in derived

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from dhcli.cli import app
-from dhcli.cli.shell.endings import ENDINGS
 from dhcli.render.code.rows import FORMATS
+from dhcli.render.endings import ENDINGS
 from dhcli.render.kinds import _RENDERERS, formats
 from tests.cli.running import Run
 
@@ -60,7 +60,8 @@ def test_an_ending_and_a_format_that_contradict_each_other_are_refused(
 
 def test_every_command_with_a_format_and_a_file_is_among_them() -> None:
     """A sweep writes its points, and the format is that of its summary."""
-    takes = {name for name in app.COMMANDS if {"format_", "output"} <= {one.name for one in app.load(name).params}}
+    options = {name: {option for one in app.load(name).params for option in one.opts} for name in app.COMMANDS}
+    takes = {name for name in app.COMMANDS if {"--format", "--output"} <= options[name]}
     assert takes == {*LINES, "sweep"}
 
 

@@ -337,3 +337,13 @@ def test_no_two_columns_have_one_name(dhcli: Run) -> None:
     heads = done.out.split("\n")[0].split(",")
     assert heads[-3:] == ["position_p_x", "position_p_y", "position_p_z"]
     assert len(set(heads)) == len(heads) == 15
+
+
+@pytest.mark.parametrize("line", ["fk scara --in", "jacobian scara --rows"])
+@pytest.mark.parametrize("format_", ["csv", "jsonl"])
+def test_a_file_without_a_good_row_is_told_as_one(dhcli: Run, tmp_path: Path, line: str, format_: str) -> None:
+    """Whatever is computed of its rows, of which there are none."""
+    (tmp_path / "q.csv").write_text("theta1,theta2,d3\nx,y,z\n", "utf-8")
+    done = dhcli(*line.split(), "q.csv", "--skip-bad", "--format", format_)
+    assert done.code == 2
+    assert "no row can be read" in done.err

@@ -105,3 +105,11 @@ def test_examples_of_help_fit_a_usual_window(dhcli: Run, name: str) -> None:
     typed = [line for line in getattr(module, "EXAMPLES", "").split("\n") if line.startswith("dhcli ")]
     assert all(len(line) <= 78 for line in typed), max(typed, key=len)
     assert set(typed) <= set(examples)
+
+
+def test_help_of_an_option_speaks_of_no_other_that_the_command_has_not(dhcli: Run) -> None:
+    """`describe` has no --q that could vary a pose, and `show` shows more than robots."""
+    assert "varies it" not in dhcli("describe", "--help").out
+    assert "varies it" in dhcli("fk", "--help").out
+    assert "needs 'NAME'\n  hint: NAME is a robot, a linkage or an exercise" in dhcli("show").err
+    assert "hint: ROBOT is a name of the library" in dhcli("fk").err

@@ -202,7 +202,17 @@ def test_a_derivation_says_what_its_letters_mean_in_the_names_of_the_robot(dhcli
 def test_a_derivation_has_these_keys_in_json(dhcli: Run) -> None:
     """A new key is a decision, and stands here."""
     data = dhcli("ik", "puma560", "--derive", "--format", "json").data
-    assert set(data) == {"robot", "convention", "reference", "frame", "task", "branches", "proved", "steps"}
+    assert set(data) == {
+        "robot",
+        "convention",
+        "reference",
+        "frame",
+        "task",
+        "branches",
+        "proved",
+        "only_where",
+        "steps",
+    }
     keys = {"rule", "unknown", "equations", "value", "plus_minus", "or_half_a_turn_more", "condition"}
     assert all(set(step) == keys for step in data["steps"])
     assert [step["unknown"] for step in data["steps"]][:4] == ["theta1", "theta3", "theta2 + theta3", "theta2"]
@@ -213,14 +223,19 @@ def test_a_derivation_is_written_for_papers_and_programs(dhcli: Run) -> None:
     assert dhcli("ik", "planar-2r", "--derive", "--format", "latex").out.startswith(
         "\\begin{aligned}\n\\theta_{2} &= \\pm "
     )
-    assert "def inverse(T, a1=0.4, a2=0.3):" in dhcli("ik", "planar-2r", "--code", "numpy").out
-    assert "function solutions = inverse(T, a1, a2)" in dhcli("ik", "planar-2r", "--derive", "--code", "matlab").out
+    assert "def inverse(T, a1=0.4, a2=0.3, tolerance=0.001):" in dhcli("ik", "planar-2r", "--code", "numpy").out
+    assert (
+        "function solutions = inverse(T, a1, a2, tolerance)"
+        in dhcli("ik", "planar-2r", "--derive", "--code", "matlab").out
+    )
 
 
 @pytest.mark.parametrize(
     ("words", "said"),
     [
         (("panda", "--derive"), "no textbook form by these rules"),
+        (("assembly-blocks", "--derive"), "no joint moves the end"),
+        (("assembly-blocks", "--code", "matlab"), "no joint moves the end"),
         (("puma560", "--derive", "--pose", "ready"), "takes no pose"),
         (("puma560", "--derive", "--task", "axis"), "knows no task axis"),
         (("puma560", "--derive", "--format", "csv"), "there is no format csv"),
@@ -432,7 +447,21 @@ def test_the_column_of_distances_ascends_and_is_what_the_joints_have_to_move(dhc
 
 
 def test_noise_is_no_part_of_the_name_of_a_branch(dhcli: Run) -> None:
-    """A joint at 0 is called 0°, not a hundred-thousandth of a millionth of a degree."""
+    """A joint at -45° is called that, without a hundred-thousandth of a millionth of a degree."""
     done = dhcli("ik", "panda", "--pose", "ready", "--hold", "theta1=0", "--within-limits")
-    assert "theta1 = 0°" in done.out
+    assert "theta2 = -45°" in done.out
     assert "e-" not in done.out
+
+
+TYPED = """[0.3551 -0.0720 -0.9320 0.4908; 0.9135 -0.1852 0.3624 0.3978; -0.1987 -0.9801 0.0000 0.0000; 0 0 0 1]"""
+
+
+def test_a_matrix_of_four_decimals_is_reached_by_an_arm_of_few_joints(dhcli: Run) -> None:
+    """It comes nearest to it; in a product, in other units or with all digits the pose is taken as it stands."""
+    done = dhcli("ik", "zhou-3r", "--target", TYPED)
+    assert done.code == 0
+    assert "1 solution\n" in done.out
+    assert "17.1878°" in done.out
+    assert "the arm takes no pose with exactly these digits; the nearest is taken" in done.err
+    for other in (f"{TYPED} * Trans(0,0,0)", TYPED.replace("0.4908", "490.8 mm")):
+        assert dhcli("ik", "zhou-3r", "--target", other).code == 1

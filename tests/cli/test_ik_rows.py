@@ -100,11 +100,11 @@ def test_poses_out_of_reach_have_no_row_and_are_counted(dhcli: Run) -> None:
         (("--in", "no-such.csv"), None, "no-such.csv: there is no such file"),
         (("--in", "-"), "x,y\n1,2\n", "no column is called p_x, p_y, p_z"),
         (("--in", "-"), "p_x[deg],p_y,p_z\n1,2,3\n", "deg is a unit of angle, and p_x is a length"),
-        (("--in", "-"), "p_x,p_y[ft],p_z\n1,2,3\n", "standard input:1: ft is no unit"),
+        (("--in", "-"), "p_x,p_y[ft],p_z\n1,2,3\n", "standard input:1:5: ft is no unit"),
         (("--in", "-"), "p_x,p_y,p_z,q_w[deg],q_x,q_y,q_z\n1,2,3,1,0,0,0\n", "q_w has no unit, and not deg"),
-        (("--in", "-"), "p_x,p_y,p_z\n1,two,3\n", "standard input:2: p_y 'two' is not a number"),
-        (("--in", "-"), "p_x,p_y,p_z\n1,20 cm,3\n", "write metres and radians, without their unit"),
-        (("--in", "-"), "p_x,p_y,p_z\n1,2\n", "p_z is empty"),
+        (("--in", "-"), "p_x,p_y,p_z\n1,two,3\n", "standard input:2:3: p_y 'two' is not a number"),
+        (("--in", "-"), "p_x,p_y,p_z\n1,20 cm,3\n", "the unit stands once, in the header: [cm]"),
+        (("--in", "-"), "p_x,p_y,p_z\n1,2\n", "standard input:2: 2 cells in a table of 3 columns"),
         (("--in", "-"), "p_x,p_y,p_z\n1,nan,3\n", "not a finite number"),
         (("--in", "-"), '{"matrix": 3}\n', "is no pose"),
         (("--in", "-"), "", "standard input: is empty"),
@@ -203,8 +203,24 @@ def test_rows_that_are_no_pose_may_be_left_out(dhcli: Run) -> None:
     assert done.code == 0, done.err
     assert [line.split(",")[0] for line in done.out.splitlines()] == ["row", "2", "6"]
     assert all(f"standard input:{line}" in done.err for line in (3, 4, 5))
+    assert "left out 3 of 5 rows:" in done.err
     assert dhcli("ik", "scara-yim", "--in", "-", stdin=text).code == 2
     assert "far" in dhcli("ik", "scara-yim", "--in", "-", stdin=text).err
+
+
+def test_a_matrix_that_is_no_rotation_is_told_by_its_own_row(dhcli: Run, tmp_path: Path) -> None:
+    """Not by the first of the rows that are solved with it; and rows of which none is a pose are no result."""
+    poses = np.tile(np.eye(4), (3, 1, 1))
+    poses[1, 0, 0] = 2
+    np.save(tmp_path / "p.npy", poses)
+    done = dhcli("ik", "puma560", "--in", "p.npy")
+    assert done.code == 2
+    assert "p.npy[1]" in done.err
+    assert "p.npy[0]" not in done.err
+    np.save(tmp_path / "p.npy", poses[1:2])
+    for more in ((), ("--follow", "--near", NEAR)):
+        none = dhcli("ik", "puma560", "--in", "p.npy", "--skip-bad", *more)
+        assert (none.code, none.out, "no row can be read" in none.err) == (2, "", True)
 
 
 @pytest.mark.parametrize("form", ["csv", "jsonl"])
@@ -255,7 +271,7 @@ def test_processes_stop_at_the_row_where_one_does(dhcli: Run, tmp_path: Path) ->
     ways = [dhcli("ik", "planar-2r", "--task", "position", "--in", str(path), "--jobs", jobs) for jobs in ("1", "2")]
     assert ways[0] == ways[1]
     assert ways[0].code == 2
-    assert "places.csv:4151: p_z 'three' is not a number" in ways[0].err
+    assert "places.csv:4151:5: p_z 'three' is not a number" in ways[0].err
     assert ways[0].out.count("\n") > 1000
 
 

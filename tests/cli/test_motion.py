@@ -486,3 +486,20 @@ def test_dof_at_joint_values_is_for_robots(dhcli: Run, words: str, message: str)
     done = dhcli(*words.split())
     assert (done.code, done.out) == (2, "")
     assert message in done.err
+
+
+def test_what_is_to_be_typed_next_leads_to_the_same_robot(dhcli: Run, tmp_path: Path) -> None:
+    """By its name where that is found, else by its path, in quotes if need be."""
+    for path, typed in (
+        ("robots/mine.yaml", "mine"),
+        ("arms/my arm.yaml", "'arms/my arm.yaml'"),
+        ("robots/scara.yaml", "scara"),
+        ("arms/scara.yaml", "arms/scara.yaml"),
+    ):
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        load_robot("builtin:planar-2r").save(tmp_path / path)
+        done = dhcli("jacobian", path, "--in", "q.csv", "--q", "0,0")
+        assert f"hint: rows of a file: dhcli jacobian {typed} --rows q.csv" in done.err
+        done = dhcli("dof", path, "--q", "0,0")
+        assert done.out.endswith(f"where else it loses freedoms: dhcli singularities {typed}\n")
+    assert "dhcli jacobian puma560 --rows" in dhcli("jacobian", "puma560", "--in", "q.csv").err

@@ -114,3 +114,13 @@ def test_a_robot_with_two_tips_becomes_one_by_a_file_of_its_own(dhcli: Run, tmp_
     assert dhcli("new", "robot", "fork", "--from", "my fork.urdf", "--tip", "hand").code == 0
     assert dhcli("new", "exercise", "c/one", "--robot", "fork").code == 0
     assert to_mend(dhcli, tmp_path / "exercises/c/one.yaml") == []
+
+
+def test_a_robot_that_hides_one_of_dhcli_says_so(dhcli: Run) -> None:
+    """Which can still be named."""
+    done = dhcli("new", "robot", "scara", "--joints", "RR")
+    assert (done.code, done.out) == (0, "")
+    hides = "note: it hides the robot scara that dhcli brings along, which is builtin:scara now\n"
+    assert done.err.endswith(f"next: dhcli show scara, then dhcli fk scara --symbolic\n{hides}")
+    assert "RRP" in dhcli("show", "builtin:scara").out
+    assert "hides" not in dhcli("new", "robot", "my-arm").err

@@ -230,6 +230,14 @@ def test_a_small_step_is_not_shown_as_zero(dhcli: Run) -> None:
     assert ["d3", "0", "m", "0.00003", "m", "0.000015", "m", "3"] in [line.split() for line in done.out.splitlines()]
 
 
+def test_the_arm_among_the_points_holds_the_joints_that_they_were_swept_with(dhcli: Run, tmp_path: Path) -> None:
+    """The pose that shows a robot best may be none of those swept."""
+    for held, said in (([], "theta1 = 0°"), (["--q", "theta1=35°,theta3=20°"], "theta1 = 35°")):
+        words = ("sweep", "articulated", "--over", "theta2=0..90° n 20", *held, "--draw", "w.svg", "--overwrite")
+        assert said in dhcli(*words).out
+        assert f"{said.replace('theta', 'θ')}, θ2 = " in (tmp_path / "w.svg").read_text("utf-8")
+
+
 def test_points_are_drawn_from_two_sides_or_in_space(dhcli: Run, tmp_path: Path) -> None:
     """Beside the summary, which is as it is without a picture."""
     words = ("sweep", "planar-2r", "--over", "theta1 n 41", "--over", "theta2 n 41")

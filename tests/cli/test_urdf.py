@@ -15,7 +15,7 @@ def test_a_urdf_stands_where_a_robot_does() -> None:
     done = run("fk", str(ROOT / ARM), "--tip", "tool0", "--q", "0,0,0", "--as", "position")
     assert done.code == 0
     assert "p_z = 0.3" in done.out
-    assert "3 of 12 angles are multiples of 15° rounded" in done.err
+    assert "taken for multiples of 15°: 3 of 12 angles" in done.err
     assert "rounded" not in run("fk", str(ROOT / ARM), "--tip", "tool0", "--q", "0,0,0", "--as-typed").err
 
 
@@ -29,6 +29,15 @@ def test_a_urdf_becomes_a_table_and_a_table_a_urdf(tmp_path: Path) -> None:
     assert [round(float(x), 12) for x in first.replace("\n", ",").split(",") if x] == [
         round(float(x), 12) for x in again.replace("\n", ",").split(",") if x
     ]
+
+
+def test_a_link_that_is_typed_for_a_frame_is_told_how_it_becomes_one() -> None:
+    """Frames have numbers, links have names."""
+    done = run("fk", str(ROOT / ARM), "--tip", "tool0", "--to", "camera", "--q", "0,0,0")
+    assert done.code == 2
+    said = "a link of the URDF is the last frame with --tip camera, and frame 0 with --base camera"
+    assert f"hint: frames: base, 0, 1, 2, 3, tool; {said}" in done.err
+    assert "URDF" not in run("fk", "scara", "--to", "camera", "--q", "0,0,0").err
 
 
 def test_an_exercise_that_is_a_urdf_is_called_one(tmp_path: Path) -> None:

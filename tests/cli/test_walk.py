@@ -37,6 +37,28 @@ def test_credits_and_the_order_of_columns_are_told_before_a_part_is_answered(tmp
         assert "columns: a  alpha  d  theta; angles in degrees" in asked
 
 
+def test_a_table_in_one_line_is_judged_at_once(tmp_path: Path) -> None:
+    """One whose line ends with a semicolon goes on."""
+    with Terminal(tmp_path, "check", PLANAR, "--part", "table") as screen:
+        screen.until("table> ")
+        screen.type("a1 0 0 theta1;\n")
+        screen.until(r"... ")
+        screen.type("\n")
+        assert "CAN'T READ" in screen.until("table> ")
+        screen.type("a1 0 0 theta1; a2 0 0 theta2\n")
+        assert screen.end() == 0
+
+
+@pytest.mark.parametrize("word", ["quit", "Exit"])
+def test_a_word_ends_the_walk(tmp_path: Path, word: str) -> None:
+    """Also within an answer; what was reached is summed up."""
+    with Terminal(tmp_path, "check", PLANAR) as screen:
+        screen.until("table> ")
+        screen.type(f"a1 0 0 theta1\n{word}\n")
+        assert "0 of 8 parts solved" in screen.until("credits")
+        assert screen.end() == 1
+
+
 def test_why_names_the_slip_behind_the_last_answer(tmp_path: Path) -> None:
     """Before an answer there is none, and none behind one that is right."""
     with Terminal(tmp_path, "check", PLANAR, "--part", "a1") as screen:
@@ -52,6 +74,16 @@ def test_why_names_the_slip_behind_the_last_answer(tmp_path: Path) -> None:
         assert f"why: {TRANSPOSED}" in screen.until("a1> ")
         screen.type("\x04")
         assert screen.end() == 1
+
+
+def test_half_the_credit_is_told_where_only_the_unit_is_another(tmp_path: Path) -> None:
+    """Behind the name of the part, as `check` tells it."""
+    with Terminal(tmp_path, "check", "scara-pose-in-mm", "--part", "tip") as screen:
+        screen.until("tip> ")
+        screen.type("-0.30739, 0.4253, 0.2\n")
+        assert "CAN'T READ  tip (1 of 2 credits)\n    right in m; this sheet is in mm" in screen.until("tip> ")
+        screen.type("\x04")
+        screen.end()
 
 
 def test_with_the_option_slips_are_named_at_once(tmp_path: Path) -> None:
@@ -185,8 +217,6 @@ def test_a_line_is_edited_and_an_answer_recalled_as_one_line(tmp_path: Path) -> 
         screen.type(UP)
         screen.until("a1 0 0 theta1; a2 0 0 theta1")
         screen.type("\x7f2\n")
-        screen.until(r"\.\.\. ")
-        screen.type("\n")
         assert screen.end() == 0
         assert "RIGHT" in screen.seen
 

@@ -43,6 +43,16 @@ FIVE = hinges("five", ("a1", 90, "d1"), ("a2", 0, ""), ("a3", 0, ""), ("", 90, "
 PLANAR_4R = hinges("planar-4r", ("a1", 0, ""), ("a2", 0, ""), ("a3", 0, ""), ("a4", 0, ""))
 """One joint more than a plane needs."""
 
+COBOT = Robot.from_dh(
+    [
+        *((0, 0, 0.245, "q1"), (0.075, "-90°", 0, "q2 - 90°"), (0.54, 0, 0, "q3")),
+        *((0, "-90°", 0.54, "q4"), (0, "90°", -0.15, "q5"), (0, "-90°", 0.16, "q6")),
+    ],
+    variables=[f"q{i}" for i in range(1, 7)],
+    convention="modified",
+)
+"""A wrist with an offset: three of its joints are found at once, and its determinant has one factor."""
+
 PAN_TILT = hinges("pan-tilt", ("a1", 90, ""), ("a2", 0, ""))
 """Two axes at right angles."""
 

@@ -207,10 +207,13 @@ def test_a_path_is_followed_by_what_drives_the_joints(arm: Robot) -> None:
     assert found.q == pytest.approx(wanted, abs=1e-8)
 
 
-def test_a_path_whose_coupling_could_break_is_refused() -> None:
-    """And what could be done is said."""
-    with pytest.raises(RobotError, match=r"5 moves by 4 variables(.|\n)*each pose by itself"):
-        follow(PALLETIZER, np.array([moved(PALLETIZER, [0.2, 1.0, 0.3, 0.4])]), [0.2, 1.0, 0.3, 0.4])
+def test_a_path_is_followed_in_the_variables_and_no_coupling_breaks() -> None:
+    """Each point has a value for each variable, not for each move, and they lead to the pose."""
+    start = [0.2, 1.0, 0.3, 0.4]
+    poses = np.array([moved(PALLETIZER, [0.2 + turn, 1.0, 0.3 - turn, 0.4]) for turn in (0.0, 0.05, 0.1)])
+    path = follow(PALLETIZER, poses, start)
+    assert path.q.shape == (3, 4)
+    assert np.array([moved(PALLETIZER, values) for values in path.q.tolist()]) == pytest.approx(poses, abs=1e-8)
 
 
 def test_a_sweep_by_motors_counts_the_poses_that_its_joints_forbid() -> None:

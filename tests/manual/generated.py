@@ -161,11 +161,27 @@ def _methods(found: object) -> list[tuple[str, Callable[..., object]]]:
     return [(name, one) for name, one in named if inspect.isroutine(one) and one.__doc__]
 
 
+class _Bare(str):
+    """An annotation that is shown as it stands in the source; a default in quotes keeps them."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return str(self)
+
+
 def _signature(found: Callable[..., object]) -> str:
     try:
-        return re.sub(r"<[^>]*>", "...", str(inspect.signature(found)).replace("'", ""))
+        signature = inspect.signature(found)
     except (TypeError, ValueError):
         return ""
+    shown = [each.replace(annotation=_shown(each.annotation)) for each in signature.parameters.values()]
+    bare = signature.replace(parameters=shown, return_annotation=_shown(signature.return_annotation))
+    return re.sub(r"<[^>]*>", "...", str(bare))
+
+
+def _shown(annotation: object) -> object:
+    return _Bare(annotation.replace("'", "")) if isinstance(annotation, str) else annotation
 
 
 def keys_page(page: Path, tables: Mapping[str, Sequence[Key]]) -> str:
@@ -199,7 +215,7 @@ def key_tables() -> dict[Path, Callable[[], str]]:
     products = only(robots.PRODUCTS, robots.TABLE)
     robot = {
         "": robots.TABLE,
-        "A row of `links:`": ROW,
+        "A row of `links:`": [*ROW, robots.BETA],
         "With `convention: product`": products,
         "With `convention: axes`, in the place of `links`, `first`, `base`, `tool` and `tools`": only(
             robots.AXES, robots.TABLE

@@ -9,7 +9,7 @@ from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.parser import parse
 from dhcli.notation.pasted import EntriesError, rows_of, without_label
 from dhcli.notation.scope import Scope
-from dhcli.notation.screens import LONGEST, equations, plain, with_factor, with_points
+from dhcli.notation.screens import LONGEST, equations, plain, with_factor
 from dhcli.notation.writer import write
 
 ROBOT = Scope(joints=("theta1", "theta2"), lengths=("a1", "a2", "a_i"), angles=("theta_i",))
@@ -97,16 +97,23 @@ def test_a_factor_is_one_only_where_it_can_be_nothing_else() -> None:
     with pytest.raises(NotationError):
         parse_matrix("[1 2; 3 4] [1 0; 0 1]", ROBOT)
     with pytest.raises(NotationError):
-        parse_matrix("[1 2; 3 4]^T", ROBOT)
+        parse_matrix("[1 2; 3 4]^2", ROBOT)
 
 
-def test_decimal_commas_between_blanks_are_points() -> None:
-    """Where three or four numbers stand in each row, nothing else can be meant."""
-    text = "0,866 -0,5 0 1,25\n0,5 0,866 0 -2\n0 0 1 3\n0 0 0 1"
-    assert matrix(text)[0] == ["0.866", "-0.5", "0", "1.25"]
-    assert matrix(text.replace("\n", "; ")) == matrix(text)
-    for other in ("0,5 1 2", "1, 2, 3\n4, 5, 6", "0,5; 1; 2", "a,b c d\n0 0 0"):
-        assert with_points(other) == other
+@pytest.mark.parametrize("sign", ["^T", "^{T}", "^\\top", r"^{\top}", "'"])
+def test_rows_are_columns_where_a_transposition_stands_behind(sign: str) -> None:
+    """As it is meant; a factor may stand with it."""
+    assert matrix(f"[1 2; 3 4]{sign}") == [["1", "3"], ["2", "4"]]
+    assert matrix(f"[1 2 3]{sign}") == [["1"], ["2"], ["3"]]
+    assert matrix(f"10*[1 2; 3 4]{sign}") == [["10", "30"], ["20", "40"]]
+
+
+def test_a_unit_behind_a_matrix_is_in_each_cell_and_can_be_told_apart() -> None:
+    """A pose has directions, which have no unit, beside its lengths."""
+    (cell, _), _ = parse_matrix("[1 2; 3 4] mm", ROBOT)
+    assert (str(cell.expr), str(cell.own)) == ("mm", "1")
+    (cell, _), _ = parse_matrix("[1 2; 3 4]/2", ROBOT)
+    assert (str(cell.expr), str(cell.own)) == ("1/2", "1/2")
 
 
 HEADING = "T_02 of planar-2r: frame 2 seen from frame 0\nstandard DH · c12 = cos(theta1+theta2)\n"
@@ -174,7 +181,7 @@ def test_three_lines_are_a_column_whatever_braces_stand_in_them() -> None:
 def test_cleaning_goes_through_a_text_once(unit: str) -> None:
     """A hundred thousand characters of anything; a careless pattern would not end."""
     text = unit * (100_000 // len(unit))
-    for clean in (plain, equations, with_factor, with_points, without_label):
+    for clean in (plain, equations, with_factor, without_label):
         assert clean(text) is not None
     try:
         rows_of(text, (4, 4))

@@ -8,7 +8,7 @@ from functools import cache
 
 import pytest
 
-from dhcli import DhcliError, load_robot
+from dhcli import DhcliError, Robot, load_robot
 from dhcli.errors import RobotError
 from dhcli.files.yaml.linkages import load_linkage, read_linkage
 from dhcli.mobility.linkage import Linkage
@@ -119,8 +119,16 @@ def test_fifty_joints_are_drawn_with_all_their_labels() -> None:
 
 def test_lengths_without_values_are_drawn_by_example_and_the_caption_says_so() -> None:
     """Nobody takes an example for the robot's own."""
-    assert "example: ai = 0.4 m" in ArmAt(load_robot("dh-link")).staged().caption
+    assert "example: a_i = 0.4 m" in ArmAt(load_robot("dh-link")).staged().caption
     assert "example" not in ArmAt(load_robot("puma560")).staged().caption
+
+
+def test_a_caption_calls_joints_by_their_names_and_a_robot_once() -> None:
+    """θ1 is short for theta1, and joint1 would be another name than joint_1."""
+    robot = Robot.from_dh([(1, 0, 0, "joint_1"), (1, 0, 0, "theta2")], variables=["joint_1", "theta2"], name="two")
+    assert ArmAt(robot, [0.5, 0]).staged().caption == "standard DH · joint_1 = 28.65°, θ2 = 0°"
+    under = [text.words[0].text for text in figure_of(ArmAt(robot, [0.5, 0]).staged()).texts if text.look == "caption"]
+    assert under[0].startswith("two · standard DH · ")
 
 
 def test_a_figure_says_its_pose_convention_and_view() -> None:

@@ -61,7 +61,7 @@ def is_chance(stage: str, given: Iterable[Sequence[float]], typed: Evidence) -> 
     shares: dict[bool, list[float]] = {True: [], False: []}
     is_guess = stage == "pairs" or (_are_whole(typed.values, typed) and not _are_whole(typed.truth, typed))
     for k in wrong:
-        spread = _spread([typed.truth[k], *(one[k] for one in left)])
+        spread = _spread([typed.truth[k], *(one[k] for one in left)], typed.values[k])
         share = min(1.0, 2 * typed.slack[k] / spread) if spread > EXACT else 1.0
         shares[typed.lengths[k]].append(
             max(share, WHOLE) if is_guess and _is_whole(typed.values[k], is_length=typed.lengths[k]) else share
@@ -79,11 +79,16 @@ def _are_whole(values: Sequence[float], typed: Evidence) -> bool:
     return all(_is_whole(value, is_length=length) for value, length in zip(values, typed.lengths, strict=True))
 
 
-def _spread(values: list[float]) -> float:
-    """The range of values without the outermost, such as millimetres taken for metres."""
+def _spread(values: list[float], typed: float) -> float:
+    """The range of values without the outermost, such as millimetres taken for metres; it reaches to what was typed.
+
+    Where the others are all the same, the outermost are all there is.
+    """
     values.sort()
     cut = len(values) // OUTER
-    return values[-1 - cut] - values[cut]
+    if values[-1 - cut] - values[cut] <= EXACT:
+        cut = 0
+    return max(typed, values[-1 - cut]) - min(typed, values[cut])
 
 
 def lengths_of(question: Wanted, entries: Matrix[float]) -> tuple[bool, ...]:

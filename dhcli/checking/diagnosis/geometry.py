@@ -163,7 +163,7 @@ def _length_text(exercise: Exercise, typed: TypedMatrix, shares: Sequence[float]
     if found:
         return found[0]
     if len(typed.search.points) > 1 and all(abs(s - shares[0]) <= limit for s in shares):
-        return rounded(shares[0] / float(exercise.metres)) + ("" if exercise.unit == "none" else f" {exercise.unit}")
+        return exercise.distance(shares[0])
     return ""
 
 
@@ -171,8 +171,7 @@ def _told_in_numbers(exercise: Exercise, share: float, names: Sequence[str]) -> 
     """A length of the sheet and the name it has; without a name it has been told already."""
     if not names:
         return ""
-    unit = "" if exercise.unit == "none" else f" {exercise.unit}"
-    return f"{rounded(share / float(exercise.metres), 4)}{unit} (as much as {' or '.join(names)})"
+    return f"{exercise.distance(share)} (as much as {' or '.join(names)})"
 
 
 def _times(times: int, name: str, writing: Joints) -> str:

@@ -108,20 +108,17 @@ class Search:
     @cached_property
     def visible(self) -> tuple[Candidate, ...]:
         """Single mistakes whose answer here is not the right one."""
-        limits = self._limits()
-        return tuple(one for one in self.singles if not self._is_right(one, limits))
+        return tuple(one for one, is_right in self._compared() if not is_right)
 
     @cached_property
     def hidden(self) -> tuple[Candidate, ...]:
         """Single mistakes whose answer here is right, though at other joint values it is not."""
-        limits = self._limits()
-        return tuple(one for one in self.singles if self._is_right(one, limits))
+        return tuple(one for one, is_right in self._compared() if is_right)
 
     @cached_property
     def unclear(self) -> tuple[Candidate, ...]:
         """Single mistakes whose answer here is right, or so near that it is hardly wrong."""
-        limits = self._limits(PLAIN)
-        return tuple(one for one in self.singles if self._is_right(one, limits))
+        return tuple(one for one, is_right in self._compared(PLAIN) if is_right)
 
     @cached_property
     def pairs(self) -> tuple[Candidate, ...]:
@@ -174,14 +171,12 @@ class Search:
 
     def _likely(self, stage: str, typed: Numbers, slack: Numbers, near: Numbers) -> Iterator[Candidate]:
         """The candidates that give an answer at the first point; what each gives there is kept for the next answer."""
-        every: tuple[Candidate, ...] = getattr(self, stage)
-        if stage not in self._given:
-            self._given[stage] = [_flat(self.entries(one.work)) for one in every]
+        every, kept = self._first(stage)
         flat, limits, zeros = _flat(typed), _flat(slack), _flat(near)
         wanted = [
             (a - limit - SAME, a + limit + SAME, abs(a) <= z) for a, limit, z in zip(flat, limits, zeros, strict=True)
         ]
-        for one, given in zip(every, self._given[stage], strict=True):
+        for one, given in zip(every, kept, strict=True):
             for (low, high, may_be_zero), value in zip(wanted, given, strict=True):
                 if not low <= value <= high or (not may_be_zero and abs(value) <= SAME):
                     break
@@ -194,9 +189,21 @@ class Search:
             matches(answer, bench.entries(one.work), slack) for answer, bench in zip(typed, self.benches, strict=True)
         ) and not all(matches(r, b.entries(one.work), slack) for r, b in zip(self.truth, self.benches, strict=True))
 
-    def _is_right(self, one: Candidate, within: Numbers) -> bool:
-        """Whether the answer of a candidate counts as right at every point, if entries may be off so much."""
-        return all(matches(t, b.entries(one.work), within) for t, b in zip(self.truth, self.benches, strict=True))
+    def _first(self, stage: str) -> tuple[Sequence[Candidate], list[array[float]]]:
+        """The candidates of a stage, and what each gives at the first point, worked out once for all answers."""
+        every: Sequence[Candidate] = getattr(self, stage)
+        if stage not in self._given:
+            self._given[stage] = [_flat(self.entries(one.work)) for one in every]
+        return every, self._given[stage]
+
+    def _compared(self, times: float = 1.0) -> Iterator[tuple[Candidate, bool]]:
+        """Each single mistake, and whether its answer counts as right if an entry may be off so many tolerances."""
+        within = self._limits(times)
+        right, limits = _flat(self.truth[0]), _flat(within)
+        others = tuple(zip(self.truth, self.benches, strict=True))[1:]
+        for one, given in zip(*self._first("singles"), strict=True):
+            is_right = all(abs(a - b) <= limit for a, b, limit in zip(right, given, limits, strict=True))
+            yield one, is_right and all(matches(t, bench.entries(one.work), within) for t, bench in others)
 
     def _limits(self, times: float = 1.0) -> Numbers:
         """So many tolerances of each entry."""

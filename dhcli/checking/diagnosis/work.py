@@ -7,7 +7,7 @@ compare them with an answer, and over terms to write an answer that holds the mi
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import field, replace
+from dataclasses import field
 from enum import Enum
 from fractions import Fraction
 from functools import partial
@@ -81,7 +81,9 @@ class Work:
 
     def with_step(self, index: int, step: Factor) -> Work:
         """The same work with another factor in one place."""
-        return replace(self, steps=(*self.steps[:index], step, *self.steps[index + 1 :]))
+        steps = (*self.steps[:index], step, *self.steps[index + 1 :])
+        # half the time of `replace`, for what is made more often than anything else
+        return Work(self.question, steps, self.multiplied, self.inverted, self.rewritten, self.entry)
 
 
 LINK = "link"

@@ -29,17 +29,19 @@ def mark_frames(exercise: Exercise, rules: Rules, typed: Sequence[TypedFrame]) -
     """Judge frames by the rules."""
     sketch = rules.sketch
     broken = rules.broken(typed)
-    reading = "; ".join(frame_text(one.frame, exercise) for one in typed)
-    expected = frames_text(sketch.frames, exercise)
+    read, right = (
+        [frame_text(frame, exercise) for frame in frames] for frames in ([one.frame for one in typed], sketch.frames)
+    )
+    reading, expected = "; ".join(read), "; ".join(right)
     if not broken:
         remarks = tuple(_freedoms(rules, typed))
         table = on_sheet(table_of(sketch, [one.frame for one in typed]), exercise)
         rows = dh_table_text(table, sketch.robot.columns, exercise.writing)
         told = (*remarks, f"your frames give the table {rows}") if remarks else ()
         return Mark(Verdict.RIGHT, reading, remarks=told, earned=1.0, expected=expected)
-    cells = tuple(_cells(exercise, sketch, typed, broken))
+    cells = tuple(_cells(right, sketch, typed, broken))
     counted = [cell for cell in cells if cell.counted or cell.verdict is Verdict.WRONG]
-    is_work = len({frame_text(one.frame, exercise) for one in typed}) > 1
+    is_work = len(set(read)) > 1
     earned = is_work * sum(cell.verdict is Verdict.RIGHT for cell in counted) / len(counted)
     said = tuple(_said(one) for one in broken[:MOST_SAID])
     more = (f"and {len(broken) - MOST_SAID} more",) if len(broken) > MOST_SAID else ()
@@ -71,7 +73,7 @@ def _said(one: Broken) -> str:
 
 
 def _cells(
-    exercise: Exercise, sketch: Sketch, typed: Sequence[TypedFrame], broken: Sequence[Broken]
+    texts: Sequence[str], sketch: Sketch, typed: Sequence[TypedFrame], broken: Sequence[Broken]
 ) -> Iterator[CellMark]:
     """The origin, x and z of each frame.
 
@@ -80,14 +82,13 @@ def _cells(
     """
     wrong = {(one.frame, one.cell) for one in broken}
     base = Frame()
-    for k, (one, right) in enumerate(zip(typed, sketch.frames, strict=True)):
+    for k, (one, right, shown) in enumerate(zip(typed, sketch.frames, texts, strict=True)):
         has_axis, has_normal = sketch.axis_of(k) is not None, sketch.other_of(k) is not None
         counted = {
             ORIGIN_CELL: (has_axis or has_normal) and bool(right.origin),
             X_CELL: has_normal and dot(right.x, base.x) < 1 - _NEAR,
             Z_CELL: has_axis and dot(right.z, base.z) < 1 - _NEAR,
         }
-        shown = frame_text(right, exercise)
         for cell, name in enumerate(_NAMES):
             verdict = Verdict.WRONG if (k, cell) in wrong else Verdict.RIGHT
             text = " ".join(one.texts.get(name, "").split())

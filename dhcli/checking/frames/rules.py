@@ -199,9 +199,9 @@ class Rules:
         return f"{said}: the frame is left-handed" if dot(y, frame.y) < 0 and self._along(y, frame.y) else said
 
     def _written(self, form: Form) -> str:
-        """A length as people write it: of plain metres a few digits."""
+        """A length as people write it: of plain metres a few digits, in the unit of the sheet."""
         found = length_of(form)
-        return f"{float(found.value):.4g} m" if isinstance(found, Number) and found != ZERO else write(found)
+        return self.sketch.distance(float(found.value)) if isinstance(found, Number) and found != ZERO else write(found)
 
 
 def _degrees(radians: float) -> str:

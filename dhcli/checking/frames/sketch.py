@@ -48,6 +48,7 @@ class Sketch:
         size: How far the farthest point of the drawing is from the base [m].
         stated: What the task fixes, in the words of `comparing.STATED`.
         measured: A length in metres as it is written on the sheet.
+        distance: A distance in metres in words, in the unit of the sheet.
     """
 
     robot: Robot
@@ -60,6 +61,7 @@ class Sketch:
     size: float
     stated: frozenset[str]
     measured: Callable[[Expr], Expr]
+    distance: Callable[[float], str]
 
     @property
     def first(self) -> int:
@@ -116,6 +118,7 @@ def sketch_of(exercise: Exercise, convention: Convention, pose: str) -> Sketch:
         size,
         stated,
         exercise.on_sheet,
+        exercise.distance,
     )
 
 

@@ -95,14 +95,18 @@ class CellQuestion(AlternativesQuestion[TypedValue]):
         if robot is None:
             return
 
+        index = place_of(robot, self.link)
+        right = robot.links[index].row
+
         def asked(slip: Slip, row: Row | None) -> Iterator[Alternative[TypedValue]]:
-            if row is not None:
-                value: Value = getattr(row, self.column)
+            if row is None:
+                return
+            value: Value = getattr(row, self.column)
+            if right is None or value != getattr(right, self.column):  # most slips leave this cell alone
                 yield Alternative(
                     slip, spelled_value(self._quantity(value), case.exercise), partial(self._accepts, case, value)
                 )
 
-        index = place_of(robot, self.link)
         named = table_candidates(case.exercise, robot.convention, name) if name else None
         for one in table_slips(case.memo, robot.convention) if named is None else named:
             if one.mistake.alone:  # a cell does not show what has happened in several rows
@@ -114,7 +118,7 @@ class CellQuestion(AlternativesQuestion[TypedValue]):
                 words = f"this is {self.column} of row {number}"
                 hint = f"which row holds this {self.column} in this convention?"
                 yield from asked(Slip(f"neighbour {number}", words, hint), robot.links[other].row)
-        right, factor = robot.links[index].row, scale_of(setting_of(case.exercise))
+        factor = scale_of(setting_of(case.exercise))
         if right is not None and factor is not None and self.column in LENGTHS:
             slip = Slip("in-mm", "the unit is another, mm for m", "look at the unit of the sheet")
             a, d = (multiply(factor, length) for length in (right.a, right.d))

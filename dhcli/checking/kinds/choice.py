@@ -43,10 +43,8 @@ class ChoiceQuestion(Question[int]):
         return cls((), 0)
 
     def completed(self, besides: Besides) -> Self:
-        options, right = besides.texts("options"), besides.whole("right") or 0
-        if not 1 <= right <= len(options):
-            besides.refuse("right: should be the number of an option, counted from 1")
-        return replace(self, options=options, right=right)
+        options = besides.texts("options")
+        return replace(self, options=options, right=besides.one_of("right", len(options)))
 
     def describe(self, _exercise: Exercise) -> str:
         return "the number of one statement"

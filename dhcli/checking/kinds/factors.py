@@ -17,7 +17,7 @@ from dhcli.checking.tolerance import NOT_EXACT, Tolerance
 from dhcli.checking.units import chain_in_metres, move_in_metres
 from dhcli.checking.verdicts import AGREEING, Mark, Verdict
 from dhcli.checking.wanted import Wanted
-from dhcli.errors import Place
+from dhcli.errors import Place, are, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import ORDER, moves_of
 from dhcli.kinematics.frames import View
@@ -117,7 +117,7 @@ def _mark(exercise: Exercise, right: Chain, typed: Chain, tolerance: Tolerance) 
     if verdict is Verdict.WRONG and same_moves:
         remarks = ("the moves are right, their order is not",)
     elif verdict is Verdict.WRONG:
-        remarks = (f"{matched} of {len(wanted)} moves are right",)
+        remarks = (f"{matched} of {plural(len(wanted), 'move')} {are(matched)} right",)
     earned = float(verdict is Verdict.RIGHT)
     if verdict is Verdict.RIGHT and tolerance.exact:
         strict = Comparison(exercise, right, replace(tolerance, angle=0.0, position=0.0))

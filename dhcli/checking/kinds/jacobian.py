@@ -15,7 +15,7 @@ from dhcli.checking.motion.from_columns import ColumnsQuestion, Typed, axes_step
 from dhcli.checking.motion.grid import Grid
 from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.wanted import NotAskedError
-from dhcli.errors import Place, RobotError
+from dhcli.errors import Place, RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.moves import names
@@ -76,7 +76,7 @@ class JacobianQuestion(ColumnsQuestion):
         robot, view = self.motion.check(robot, self.twist)
         columns, rows = len(joints_between(robot, view.start, view.end)), len(self.form.labels)
         if self.row > rows or self.column > columns:
-            raise RobotError(f"this Jacobian has {rows} rows and {columns} columns")
+            raise RobotError(f"this Jacobian has {plural(rows, 'row')} and {plural(columns, 'column')}")
         if self.form.analytic and view.axes != view.start:
             raise RobotError("rates of angles are asked along no other axes", "leave in frame out")
 

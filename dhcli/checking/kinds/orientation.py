@@ -13,6 +13,7 @@ from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.entries import check_names
 from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.forms import Form, form_of
+from dhcli.checking.lists import flat, with_unit_inside
 from dhcli.checking.orientations import angle_between, transposed, turned
 from dhcli.checking.pasted import UnreadableError, WrongUnitError
 from dhcli.checking.returned import Causes, Reading, Shown
@@ -26,6 +27,7 @@ from dhcli.geometry.euler import Order
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
+from dhcli.notation.commas import with_points
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
 from dhcli.notation.scope import Scope
@@ -40,7 +42,7 @@ _FORM = regex(
     re.DOTALL,
 )
 _ROTATION_OF = regex(r"\Arotation\s+of\s+")
-_LABEL = regex(r"[^\W\d]+\s*=")
+_LABEL = regex(r"[^\W\d]\w{0,12}\s{0,9}[=:]")
 LEAST_TURN = 1e-6
 """Turns that differ by less than this are one [rad]."""
 
@@ -118,11 +120,11 @@ class OrientationQuestion(Question[Turn]):
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Turn:
         exercise = case.exercise
-        body = ", ".join(line for line in _LABEL.sub("", text).splitlines() if line.strip())
-        body = body.strip()
-        rows = parse_matrix(body if body.startswith("[") else f"[{body}]", exercise.scope, place or Place("answer"))
+        _, wanted = self.blank(exercise)
+        body = with_unit_inside(with_points(_LABEL.sub(" ", text), (1, wanted)).strip(), wanted)
+        body = ", ".join(line for line in flat(body).splitlines() if line.strip())
+        rows = parse_matrix(f"[{body}]", exercise.scope, place or Place("answer"))
         cells = [cell.expr for row in rows for cell in row]
-        wanted = len(self.form.parts)
         if len(cells) != wanted:
             message = f"{plural(len(cells), 'number')} for {wanted}: {', '.join(self.form.parts)}"
             raise UnreadableError(message)

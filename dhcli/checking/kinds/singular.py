@@ -15,7 +15,7 @@ from dhcli.checking.motion.task import JacobianTask, found_for, listed
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.verdicts import Mark, Verdict
-from dhcli.errors import Place
+from dhcli.errors import Place, are, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.result import Singularities
@@ -89,7 +89,9 @@ class SingularQuestion(JacobianTask, Question[Conditions]):
             yield Shown(f"The determinant is {write(found.determinant, 'short', exercise.writing)}")
         elif found.factors:
             most = min(len(found.rows), len(found.joints))
-            yield Shown(f"The rank falls where all determinants of {most} rows and {most} columns are zero at once")
+            yield Shown(
+                f"The rank falls where all determinants of {plural(most, 'row')} and as many columns are zero at once"
+            )
         for factor in found.factors:
             said = factor.text("short", exercise.writing) + (f": {factor.angles}" if factor.angles else "")
             lines = [said + (f"; {factor.words}" if factor.words else "")]
@@ -97,7 +99,9 @@ class SingularQuestion(JacobianTask, Question[Conditions]):
                 lines.append(f"what is lost there: {factor.lost}")
             yield Shown("\n".join(lines))
         if not found.factors:
-            yield Shown(f"Everywhere {found.rank} of its {len(found.joints)} columns are independent")
+            yield Shown(
+                f"Everywhere {found.rank} of its {plural(len(found.joints), 'column')} {are(found.rank)} independent"
+            )
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Conditions:
         joined = _is_joined(found_for(case, self.motion, self.form))

@@ -55,7 +55,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         rest = text.removeprefix("table").strip()
         if rest not in (Convention.STANDARD, Convention.MODIFIED):
             hint = "write table standard or table modified"
-            raise NotationError(Problem(f"there is no table '{rest}'", place, hint))
+            raise NotationError(Problem(f"there is no table '{rest:.60}'" if rest else "which table?", place, hint))
         return cls(Convention(rest))
 
     def check(self, robot: Robot | None) -> None:
@@ -72,9 +72,13 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
     def notes(self, exercise: Exercise) -> Iterable[str]:
         if exercise.robot is not None:
             yield "columns: " + "  ".join(exercise.robot.columns) + "; angles in degrees"
+            if exercise.numeric and exercise.robot.variables:
+                yield f"in the cell that a joint changes stands its variable: {', '.join(exercise.robot.variables)}"
 
     def is_whole(self, text: str) -> bool:
-        return Question.is_whole(self, text) and (text.strip().startswith("[") or "\\end" in text)
+        *_, last = text.strip().splitlines() or [""]
+        in_one_line = ";" in last.rstrip("; ")
+        return Question.is_whole(self, text) and (text.strip().startswith("[") or "\\end" in text or in_one_line)
 
     def expected(self, case: Case, _style: str = "short") -> str:
         from dhcli.checking.tables.marking import write_table

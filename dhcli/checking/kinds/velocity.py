@@ -17,7 +17,7 @@ from dhcli.checking.motion.reading import SPEED, TURNING
 from dhcli.checking.motion.task import jacobian_step
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
-from dhcli.errors import Place, RobotError
+from dhcli.errors import Place, RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.view import joints_between
@@ -64,7 +64,7 @@ class VelocityQuestion(ColumnsQuestion):
         robot, view = self.motion.check(robot)
         joints = joints_between(robot, view.start, view.end)
         if self.motion.rates is not None and len(self.motion.rates) != len(joints):
-            message = f"{len(self.motion.rates)} rates for {len(joints)} joints"
+            message = f"{plural(len(self.motion.rates), 'rate')} for {plural(len(joints), 'joint')}"
             raise RobotError(message, f"one for each of {', '.join(joints)}")
 
     def size(self, _robot: Robot) -> tuple[int, int]:

@@ -6,7 +6,7 @@ import re
 
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.wanted import NotAskedError
-from dhcli.errors import NotationError, Place, Problem, RobotError
+from dhcli.errors import NotationError, Place, Problem, RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.frames import ORIGIN, Point, ends, frame
 from dhcli.kinematics.robot import Robot
@@ -129,7 +129,9 @@ def three(text: str, scope: Scope, place: Place | None) -> tuple[Expr, Expr, Exp
     """
     found = vector(text, scope, place)
     if len(found) != 3:  # noqa: PLR2004
-        raise NotationError(Problem(f"{text.strip()} has {len(found)} numbers, not three", place, "along x, y and z"))
+        raise NotationError(
+            Problem(f"{text.strip()} has {plural(len(found), 'number')}, not three", place, "along x, y and z")
+        )
     return found[0], found[1], found[2]
 
 

@@ -12,6 +12,9 @@ from dhcli.checking.motion.grid import Grid, Numbers, scale_of, within
 from dhcli.checking.tolerance import SLACK, typed_decimals, without_unit
 from dhcli.frozen import frozen
 
+EXACT = 1e-9
+"""What a value without a decimal may be off, as a share."""
+
 COARSE = 0.02
 """A share of the largest number that its digits must not leave open: two of them are too few."""
 
@@ -45,6 +48,13 @@ class Digits:
     def are_those_of(self, seen: Numbers) -> bool:
         """Whether they are other numbers, rounded."""
         return within(self.values, seen, self.steps)
+
+    def within(self, limits: Numbers) -> Numbers:
+        """What the digits leave open of each number, where that is less than its limit."""
+        return tuple(
+            tuple(min(step or EXACT * (1 + abs(value)), limit) for value, step, limit in zip(*row, strict=True))
+            for row in zip(self.values, self.steps, limits, strict=True)
+        )
 
     def say_enough(self, right: Numbers, limits: Numbers, others: Iterable[Numbers]) -> bool:
         """Whether some of other answers would hardly be met by chance."""

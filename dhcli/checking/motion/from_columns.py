@@ -13,9 +13,10 @@ from dhcli.algebra.floats import Floats
 from dhcli.checking.diagnosis.chance import Evidence, is_chance
 from dhcli.checking.diagnosis.plausible import HALF, at_a_point, has_name, is_trivial
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.entries import Entries, values_of
+from dhcli.checking.entries import Entries
 from dhcli.checking.exercise import Case
 from dhcli.checking.motion.columns import Columns, columns_for
+from dhcli.checking.motion.digits import Digits
 from dhcli.checking.motion.grid import Grid, Numbers, alike, scale_of, within
 from dhcli.checking.motion.mistakes import made, then
 from dhcli.checking.motion.question import MotionQuestion
@@ -144,15 +145,16 @@ class ColumnsQuestion(MotionQuestion):
                 seen = self._seen(case, given)
                 likely = [one for one in every if alike((one.seen,), (seen,))]
                 return _plainest([one for one in likely if self.gives(case, one.grid, entries)])
-            typed, (right, limits) = values_of(entries, case.exercise), self.right_numbers(case)
+            typed, (right, limits) = Digits.of(case.exercise, given, entries), self.right_numbers(case)
         except (KeyError, UnreadableError):
             return ()
-        found = [one for one in every if within(typed, one.seen, limits)]
-        flat, slack, truth = ([value for row in table for value in row] for table in (typed, limits, right))
         lengths = [bool(power) or not given.cosines for row in given.powers for power in row]
-        others = [[value for row in one.seen for value in row] for one in every]
-        is_known = bool(found) and not is_chance("pairs", others, Evidence(flat, slack, truth, lengths))
-        return _plainest(found) if is_known else ()
+        for slack in (typed.within(limits), limits):  # as it was typed, then as near as counts as the same
+            found = [one for one in every if within(typed.values, one.seen, slack)]
+            if found:
+                evidence = Evidence(_flat(typed.values), _flat(slack), _flat(right), lengths)
+                return () if is_chance("pairs", [_flat(one.seen) for one in every], evidence) else _plainest(found)
+        return ()
 
     # --- Follow-through -----------------------------------------------------------------------------------------
 
@@ -182,6 +184,10 @@ class ColumnsQuestion(MotionQuestion):
         if judged.reading is None or is_trivial(at_a_point(judged.reading.value, case.exercise.values)):
             return False
         return not case.exercise.numeric or judged.mark.earned >= HALF or has_name(judged.mark)
+
+
+def _flat(table: Numbers) -> list[float]:
+    return [value for row in table for value in row]
 
 
 def _rounded(seen: Numbers) -> tuple[str, ...]:

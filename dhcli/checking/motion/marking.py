@@ -35,7 +35,9 @@ def mark_grid(case: Case, right: Grid, entries: Entries) -> Mark:
     there = _marked(exercise, entries, other.cells)
     if there.verdict in AGREEING:
         digits = ", to the digits typed" if there.verdict is Verdict.ROUNDED else ""
-        raise WrongUnitError(other.unit, f"this sheet is in {exercise.unit}", digits)
+        power = {power for row in right.powers for power in row if power}
+        raised = {2: "²", 3: "³"}.get(power.pop(), "") if len(power) == 1 else ""
+        raise WrongUnitError(other.unit, f"this sheet is in {exercise.unit}", f"{raised}{digits}")
     remark = f"{IN_OTHER_UNIT}{other.unit}; this sheet is in {exercise.unit}: the rest is judged in {other.unit}"
     cells = tuple(replace(cell, expected=one.expected) for cell, one in zip(other.cells, own, strict=True))
     return replace(mark, verdict=Verdict.WRONG, cells=cells, remarks=(remark, *there.remarks))

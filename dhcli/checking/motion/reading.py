@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from fractions import Fraction
 
-from dhcli.checking.commas import COORDINATES, comma_remark, with_points
+from dhcli.checking.blanks import refuse_one_expression
 from dhcli.checking.entries import LARGEST, Entries, Entry, check_names, count_remark
 from dhcli.checking.exercise import Exercise
+from dhcli.checking.lists import in_square_brackets
 from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, without_label
-from dhcli.checking.units import length_in_metres
-from dhcli.checking.vectors import as_column
+from dhcli.checking.units import has_length_unit, length_in_metres
+from dhcli.checking.vectors import LENGTHS, as_column
 from dhcli.errors import NotationError, Place
+from dhcli.notation.commas import comma_remark
 from dhcli.notation.matrix import Cell, parse_matrix
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, to_plain_length
+from dhcli.notation.quantity import LENGTH_UNITS, DimensionError, to_plain_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Number, multiply
 from dhcli.notation.walk import symbols
@@ -25,8 +29,9 @@ _NAMED = regex(r"(^|[,;\n])[ \t]{0,9}(?:\\dot[ {]?)?(?:\\?[^\W\d][\w'_{}\u0307]{
 _A_SECOND = r"(?: ?/ ?s(?:ec)?(?![\w^])|[ *·⋅]s(?:\^\{?[-−]1\}?|⁻¹))"  # noqa: RUF001
 _SPEED = regex(rf"(?<![A-Za-z_])(mm|cm|m){_A_SECOND}")
 _TURNING = regex(rf"(?<![A-Za-z_])(rad|deg|°){_A_SECOND}")
-_FORCE = regex(r"(?<=[\d.) ])N(?: ?[·⋅*.]? ?m)?(?![\w^])")
+_FORCE = regex(r"(?<=[\d.) ])(?P<prefix>[km]?)N(?: ?[·⋅*.]? ?(?P<arm>mm|cm|m))?(?![\w^])")
 """Units of rates and forces, which no formula has."""
+_PREFIXES = {"": Fraction(1), "k": Fraction(1000), "m": Fraction(1, 1000)}
 
 SPEED, TURNING, TORQUE, FORCE = "m/s", "rad/s", "N m", "N"
 """The units that an entry of such an answer may have, as they are told."""
@@ -54,21 +59,22 @@ def read_cells(
     if len(text) > LARGEST:
         raise UnreadableError(f"the answer has {len(text)} characters, more than the {LARGEST} that are read")
     shape = len(powers), len(powers[0])
-    body = without_label(as_matrix(text, shape))
+    body = without_label(as_matrix(text, shape), shape)
     _check_units(body, units, exercise)
     body = _without_units(body, powers, exercise)
     refuse_blanks(body)
     place = place or Place("answer")
     try:
         if shape == (1, 1) and not body.lstrip().startswith(("[", "{", "\\begin", "|")):
-            cells: tuple[tuple[Cell, ...], ...] = (
-                (Cell(parse(body.strip(), exercise.scope, place), body.strip(), 0),),
-            )
+            expr = parse(body.strip(), exercise.scope, place)
+            cells: tuple[tuple[Cell, ...], ...] = ((Cell(expr, body.strip(), 0, expr),),)
         else:
             cells = parse_matrix(_bracketed(body, shape, exercise.scope), exercise.scope, place)
     except NotationError as error:
         remarks = (*(str(problem) for problem in error.problems), comma_remark(text))
         raise UnreadableError(*filter(None, remarks)) from None
+    if 1 in shape and max(shape) > 1:
+        refuse_one_expression(body, cells, max(shape), exercise.scope)
     shaped = _shaped(cells, shape)
     return tuple(
         tuple(_entry(exercise, cell, powers[r][c], (r, c)) for c, cell in enumerate(row))
@@ -85,7 +91,7 @@ def _check_units(body: str, wanted: Sequence[str], exercise: Exercise) -> None:
     found = [(match.start(), SPEED, match[0]) for match in _SPEED.finditer(body)]
     found += [(match.start(), TURNING, match[0]) for match in _TURNING.finditer(body)]
     if "N" not in exercise.scope.names:
-        found += [(match.start(), TORQUE if "m" in match[0] else FORCE, match[0]) for match in _FORCE.finditer(body)]
+        found += [(match.start(), TORQUE if match["arm"] else FORCE, match[0]) for match in _FORCE.finditer(body)]
     separators = [at for at, letter in enumerate(body.rstrip("[]() \n;")) if letter in ",;\n"]
     for k, (start, kind, typed) in enumerate(sorted(found)):
         number = k if len(found) == len(wanted) else -1
@@ -103,24 +109,27 @@ def _instead(wanted: Sequence[str]) -> str:
 
 
 def _without_units(body: str, powers: tuple[tuple[int, ...], ...], exercise: Exercise) -> str:
-    """`0.5 rad/s`, `10 N m` and `90 deg/s` as numbers, `40 mm/s` as a length."""
+    """`0.5 rad/s`, `10 N m` and `90 deg/s` as numbers, `10 N cm` as a hundredth, `40 mm/s` as a length."""
     if any(1 in row for row in powers):
         body = _SPEED.sub(r"\1", body)
     if any(0 in row for row in powers):
         body = _TURNING.sub(lambda match: "" if match[1] == "rad" else "*pi/180", body)
-        body = body if "N" in exercise.scope.names else _FORCE.sub("", body)
+        body = body if "N" in exercise.scope.names else _FORCE.sub(_in_newtons, body)
     return body
+
+
+def _in_newtons(unit: re.Match[str]) -> str:
+    """What a number before a unit of force or torque is to be multiplied with; nothing for N and N m."""
+    factor = _PREFIXES[unit["prefix"]] * LENGTH_UNITS[unit["arm"] or "m"]
+    return f"*{float(factor):g}" if factor != 1 else ""
 
 
 def _bracketed(body: str, shape: tuple[int, int], scope: Scope) -> str:
     """A list without brackets, or in round ones, as a matrix."""
     if shape[1] == 1:
-        body = _NAMED.sub(r"\1", body).strip()
-        body = with_points(body, shape[0]) if shape[0] > 1 else body
-        if shape[0] == COORDINATES:
+        body = in_square_brackets(_NAMED.sub(r"\1", body).strip())
+        if shape[0] == LENGTHS[0]:
             return as_column(body, scope, is_axis=False)
-        if body.startswith("(") and body.endswith(")") and "," in body and ")" not in body[:-1]:
-            body = body[1:-1]
         if "," in body and ";" not in body:
             body = body.replace("\n", " ")
         return body if body.startswith(("[", "{", "\\", "|")) else f"[{body}]"
@@ -149,16 +158,16 @@ def _shaped(cells: tuple[tuple[Cell, ...], ...], wanted: tuple[int, int]) -> tup
 
 def _entry(exercise: Exercise, cell: Cell, power: int, place: tuple[int, int]) -> Entry:
     """One entry in metres; without a unit it is in that of the sheet."""
-    where = f"entry ({place[0] + 1},{place[1] + 1})"
+    where, given = f"entry ({place[0] + 1},{place[1] + 1})", cell.expr if power else cell.own
     try:
-        if power != 1 and to_plain_length(cell.expr) != cell.expr:
+        if not power and to_plain_length(given) != given:
             raise UnreadableError(f"{where} is no length: leave its unit out")
-        expr = as_read(exercise, power, cell.expr)
+        expr = as_read(exercise, power, given)
     except DimensionError as error:
-        wanted = "a length" if power == 1 else "a number"
-        raise UnreadableError(f"{where}: {error.message.replace('a length', wanted)}") from None
+        message = error.message if power else error.message.replace("a length", "a number")
+        raise UnreadableError(f"{where}: {message}") from None
     check_names(exercise, symbols(expr))
-    return Entry(expr, cell.text, cell.expr)
+    return Entry(expr, cell.text, given)
 
 
 def as_read(exercise: Exercise, power: int, expr: Expr) -> Expr:
@@ -168,8 +177,8 @@ def as_read(exercise: Exercise, power: int, expr: Expr) -> Expr:
         DimensionError: It is neither a length nor a number.
     """
     if exercise.metres == 1 or not power:
-        return to_plain_length(expr)
+        return to_plain_length(expr, power or 1)
     if power == 1:
         return to_plain_length(length_in_metres(expr, exercise.metres, exercise.scope))
-    found = to_plain_length(expr)
-    return found if symbols(found) else multiply(found, Number(exercise.metres**power))
+    found = to_plain_length(expr, power)
+    return found if symbols(found) or has_length_unit(expr) else multiply(found, Number(exercise.metres**power))

@@ -13,7 +13,7 @@ from dhcli.checking.motion.grid import Numbers, over
 from dhcli.checking.motion.question import MotionQuestion
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
-from dhcli.errors import Place, RobotError
+from dhcli.errors import Place, RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.finding import find
@@ -92,7 +92,9 @@ def square(robot: Robot, view: MotionView, form: Form) -> Singularities:
         rows, joints = len(found.rows), len(found.joints)
         if rows != joints:
             hint = "ask for the linear or the angular part" if rows > joints else ""
-            raise RobotError(f"a Jacobian with {rows} rows and {joints} columns has no determinant", hint)
+            raise RobotError(
+                f"a Jacobian with {plural(rows, 'row')} and {plural(joints, 'column')} has no determinant", hint
+            )
         raise RobotError("this Jacobian is singular everywhere, or its determinant is too long to read")
     if view.axes != view.start and len(found.rows) not in (3, 6):
         raise RobotError("with rows left out the sign of a determinant depends on the axes", "leave in frame out")

@@ -23,7 +23,7 @@ from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive import NoFormError, derive
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_values import joint_values
-from dhcli.kinematics.inverse.derive_words import atom_text, condition_text, level_text, value_text
+from dhcli.kinematics.inverse.derive_words import atom_text, condition_text, level_text, named_text, value_text
 from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
@@ -84,7 +84,7 @@ def steps_shown(derivation: Derivation, upto: str = "") -> Iterator[Shown]:
             f"{write(one.left, 'short', joints)} = {write(one.right, 'short', joints)}    {level_text(derivation, one)}"
             for one in step.equations
         ]
-        lines.append(f"{atom_text(step.atom)} = {value_text(step, 'short', joints_of=derivation)}")
+        lines.append(f"{named_text(step.atom)} = {value_text(step, 'short', joints_of=derivation)}")
         lines += [said] if (said := condition_text(step, "short", derivation)) else []
         yield Shown("\n".join(lines))
         if upto and atom_text(step.atom) == upto:

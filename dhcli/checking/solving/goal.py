@@ -117,7 +117,7 @@ class Target:
             return f"the {self.task} {self.text} of {seen}"
         rows, per = self.rows(exercise.known), float(exercise.metres)
         place = ", ".join(_rounded(row[3] / per) for row in rows[:3])
-        unit = "" if exercise.unit == "none" else f" {exercise.unit}"
+        unit = exercise.behind
         if self.task == "position":
             return f"the origin of frame {end} at ({place}){unit}, seen from frame {start}"
         if self.along:

@@ -86,7 +86,8 @@ class WantedJoints(GoalQuestion[Vectors]):
 
     def spelled(self, field: Range, values: Iterable[float]) -> str:
         """A joint vector as a person would type it."""
-        return ", ".join(spelled(field.robot, name, value) for name, value in zip(field.joints, values, strict=True))
+        pairs = zip(field.joints, values, strict=True)
+        return ", ".join(spelled(field.exercise, field.robot, name, value) for name, value in pairs)
 
     def joints_of(self, exercise: Exercise) -> tuple[str, ...]:
         """The joints whose values are asked for."""

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Sequence
 
 from dhcli.algebra.floats import Floats
-from dhcli.checking.commas import comma_remark, with_points
 from dhcli.checking.entries import check_names
 from dhcli.checking.exercise import Exercise
+from dhcli.checking.lists import with_unit_inside
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.tolerance import without_unit
 from dhcli.checking.units import has_length_unit
@@ -18,6 +17,7 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import joint_called, numbers
 from dhcli.notation.angle import Angle
+from dhcli.notation.commas import comma_remark, with_points
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_plain_length
@@ -36,7 +36,6 @@ _ROW_LABEL = regex(
 
 _BETWEEN = regex(r",?[ \t]+(?:or|and)[ \t]+|[ \t]*\n[ \t]*(?:or|and)[ \t\n]+")
 _BETWEEN_NAMED = regex(rf"(?:{_BETWEEN.pattern})(?=[^\W\d]\w*[ \t]*=)")
-_UNIT_BEHIND = regex(r"(?<![\w\])])[(\[](?P<values>[^()\[\]\n]{0,400})[)\]][ \t]{0,9}(?P<unit>rad|deg|°)(?!\w)")
 
 
 @frozen
@@ -79,7 +78,7 @@ def read_vectors(
     groups = _groups(body)
     lines = _lines(text, len(joints)) if several else []
     pieces = groups or lines or (body.split(";") if several else [body])
-    pieces = [with_points(piece, len(joints)) for piece in pieces]
+    pieces = [with_points(piece, (1, len(joints))) for piece in pieces]
     body = "; ".join(piece.replace(";", ",") if groups else piece for piece in pieces)
     rows = [[cell.expr for cell in row] for row in parse_matrix(_bracketed(body), exercise.scope, place)]
     if all(len(row) == 1 for row in rows) and len(rows) == len(joints):
@@ -97,13 +96,7 @@ def _tidied(text: str, joints: Sequence[str], *, several: bool) -> str:
     text = _COLON.sub("=", _ABOUT.sub("=", _ROW_LABEL.sub(r"\1", text.strip().rstrip(".")))).replace("≈", "")
     between = _BETWEEN_NAMED if _LABEL.search(text) else _BETWEEN
     text = between.sub("; " if several else ", ", text).strip()
-
-    def within(match: re.Match[str]) -> str:
-        values = re.split(r"[,;]", match["values"])
-        inside = ", ".join(f"{value} {match['unit']}" for value in values)
-        return f"({inside})" if len(values) == len(joints) else match[0]
-
-    return _UNIT_BEHIND.sub(within, text)
+    return with_unit_inside(text, len(joints))
 
 
 def _bracketed(body: str) -> str:
@@ -113,10 +106,10 @@ def _bracketed(body: str) -> str:
 def _lines(text: str, count: int) -> list[str]:
     """Rows as programs write them where 0,5 is a half: lines, each with semicolons between its values; else none."""
     lines = [line.strip(" \t;") for line in text.splitlines() if line.strip(" ;,")]
-    rows = [with_points(line, count) if "," in line else line.replace(";", ",") for line in lines]
-    if len(lines) < 2 or any(line.count(";") != count - 1 or ";" in row for line, row in zip(lines, rows, strict=True)):  # noqa: PLR2004
+    rows = [with_points(line, (1, count)) for line in lines]
+    if len(lines) < 2 or any(row.count(";") != count - 1 or "," in row for row in rows):  # noqa: PLR2004
         return []
-    return rows
+    return [row.replace(";", ",") for row in rows]
 
 
 def _groups(text: str) -> list[str]:
@@ -174,12 +167,12 @@ def _vector(exercise: Exercise, robot: Robot, joints: Sequence[str], row: Sequen
         values.append(value.substitute(angles).constant() if isinstance(value, Angle) else over.value(value) * unit)
         if not math.isfinite(values[-1]):
             raise UnreadableError(f"{name} is no real number")
-        shown.append(spelled(robot, name, values[-1]))
+        shown.append(spelled(exercise, robot, name, values[-1]))
     return Vector(tuple(values), tuple(bare), ", ".join(shown))
 
 
-def spelled(robot: Robot, name: str, value: float) -> str:
-    """A joint value as a person would type it."""
+def spelled(exercise: Exercise, robot: Robot, name: str, value: float) -> str:
+    """A joint value as a person would type it on the sheet."""
     if name in robot.angles:
         return f"{round(math.degrees(value), 4) + 0.0:g}°"
-    return f"{round(value, 6) + 0.0:g} m"
+    return f"{round(value / float(exercise.metres), 6) + 0.0:g}{exercise.behind}"

@@ -144,10 +144,9 @@ class Range:
             off = far / limit
             if off > 1:
                 place = ", ".join(f"{round(row[3] / float(self.exercise.metres), 4) + 0.0:g}" for row in there[:3])
-                unit = "" if self.exercise.unit == "none" else f" {self.exercise.unit}"
-                far /= float(self.exercise.metres)
                 said.append(
-                    f"these joint values lead to ({place}){unit}, {far:.3g}{unit} away from the place asked for"
+                    f"these joint values lead to ({place}){self.exercise.behind}, "
+                    f"{self.exercise.distance(far)} away from the place asked for"
                 )
         if self.target.task in ("pose", "orientation"):
             typed, right = ([row[:3] for row in rows[:3]] for rows in (there, self.rows))

@@ -187,7 +187,8 @@ class TableAnswer:
     def slack(self, outcome: Outcome) -> Slack:
         """What counts as no difference between two frames."""
         if outcome.rounded:
-            return Slack(self.tolerance.rotation, self.tolerance.rotation * outcome.size, in_numbers=True)
+            told = partial(self.exercise.distance, signed=True)
+            return Slack(self.tolerance.rotation, self.tolerance.rotation * outcome.size, told)
         return Slack(1e-5, 1e-6 * outcome.size)
 
     def check_units(self) -> None:

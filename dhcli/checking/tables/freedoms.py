@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from dhcli.algebra.floats import Floats
@@ -37,11 +37,11 @@ class Drawn:
 
 @frozen
 class Slack:
-    """What counts as no difference: an angle [rad] and a length [m]; and whether lengths are told as numbers."""
+    """What counts as no difference: an angle [rad] and a length [m]; and how lengths are told, if not as letters."""
 
     angle: float
     length: float
-    in_numbers: bool = False
+    said: Callable[[float], str] | None = None
 
     def finer(self) -> Slack:
         """A tenth of it, to name what is too small to be seen at first."""
@@ -49,9 +49,9 @@ class Slack:
 
     def told(self, *lengths: float) -> str:
         """By how much something is shifted; nothing where lengths are letters."""
-        if not self.in_numbers:
+        if self.said is None:
             return ""
-        return " by " + " and ".join(f"{1000 * length:+.3g} mm" for length in lengths)
+        return " by " + " and ".join(map(self.said, lengths))
 
 
 def frame_freedoms(drawn: Drawn, match: Match, variables: Sequence[str], point: Point, slack: Slack) -> tuple[str, ...]:
@@ -81,7 +81,7 @@ def joint_freedoms(
             if abs(degrees * DEGREE) > slack.angle:
                 found.append(f"your {name} has another zero ({_signed(degrees)})")
         elif abs(zero) > slack.length:
-            amount = f" ({1000 * zero:+.3g} mm)" if slack.in_numbers else ""
+            amount = f" ({slack.said(zero)})" if slack.said else ""
             found.append(f"your {name} has another zero{amount}")
     return tuple(found)
 

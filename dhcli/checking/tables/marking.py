@@ -14,7 +14,7 @@ from dhcli.checking.tables.reasons import reason_of
 from dhcli.checking.tables.typed_rows import TypedRow
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import CellMark, Mark, Verdict, worst
-from dhcli.errors import RobotError
+from dhcli.errors import RobotError, plural
 from dhcli.kinematics.conventions import NAMES, Convention
 
 
@@ -99,7 +99,7 @@ def _by_cells(answer: TableAnswer, cells: tuple[CellMark, ...]) -> Mark:
     answer.check_units()
     remarks = _notes(cells)
     if not cells:
-        remarks = (f"your table has {len(answer.rows)} rows, the right one has {len(answer.table)}",)
+        remarks = (f"your table has {plural(len(answer.rows), 'row')}, the right one has {len(answer.table)}",)
     if not answer.misfit and replace(answer, compare=SAME_ROBOT).judged().verdict is Verdict.RIGHT:
         asks = f"a right table of the same robot, but {answer.asker} asks for the one of the document"
         remarks = (asks, *remarks)

@@ -12,7 +12,7 @@ from dhcli.algebra.points import general
 from dhcli.checking.entries import LARGEST
 from dhcli.checking.pasted import UnreadableError, without_label
 from dhcli.checking.tables.spelling import ANGLES, Heads, in_order, plain_text, without_heads, without_stars
-from dhcli.errors import NotationError, Place
+from dhcli.errors import NotationError, Place, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Row
 from dhcli.kinematics.robot import Robot
@@ -96,7 +96,7 @@ def read_table(
         cells = tuple(row[1:] for row in cells)
     elif width != len(COLUMNS):
         raise UnreadableError(
-            f"the rows have {width} cells; a DH table has the four columns {', '.join(heads.columns)}"
+            f"the rows have {plural(width, 'cell')}; a DH table has the four columns {', '.join(heads.columns)}"
         )
     rows = tuple(_row(row, index, heads, robot, scope) for index, row in enumerate(cells, robot.first))
     _check_variables(rows, robot)

@@ -8,8 +8,8 @@ from typing import Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Overwrite, format_option, output_option
 from dhcli.cli.shell.spreading import But
+from dhcli.cli.shell.written import Written, in_formats
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -65,21 +65,17 @@ def dof(
         float | None,
         typer.Option("--tol", metavar="X", help="Relative error of rounded input: 0.003 for 3 decimals."),
     ] = None,
-    format_: Annotated[str | None, format_option("table", "json")] = None,
-    output: Annotated[str | None, output_option(".json", ".txt")] = None,
-    overwrite: Overwrite = False,
+    out: Annotated[Written, in_formats(("table", "json"), (".json", ".txt"))],
 ) -> None:
     """Count the freedoms of a linkage, say whether the formula can be trusted, and find the true mobility."""
     from dhcli.cli.shell.counted import Ends, asked
-    from dhcli.cli.shell.delivery import Delivery
     from dhcli.errors import DhcliError
     from dhcli.mobility.finding import analyse
 
-    delivery = Delivery("dof", format_, output=output, overwrite=overwrite)
     if chosen.stands and not what:
         raise DhcliError("joint values are those of a robot", "dhcli dof puma560 --pose zero")
     kind = "mobility at joint values" if chosen.stands else "mobility"
-    delivery.chosen(kind)
+    delivery = out.delivery("dof", kind)
     tolerance = 0.0 if tol is None else tol
     linkage = asked(
         " ".join(what or []),

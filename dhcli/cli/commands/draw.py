@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Overwrite, Untried, Variant, complete_pose, complete_robot, file_to_write
+from dhcli.cli.shell.options import AnyName, Untried, Variant, complete_pose
 from dhcli.cli.shell.spreading import But
+from dhcli.cli.shell.written import Overwrite, file_to_write
 from dhcli.errors import DhcliError
+from dhcli.frozen import frozen
 
 if TYPE_CHECKING:
     from dhcli.render.pictures.picture import Picture
+
+    View = tuple[float, float] | None
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -40,18 +43,10 @@ def complete_view(incomplete: str) -> list[str]:
     return [name for name in ("iso", "front", "side", "top") if name.startswith(incomplete)]
 
 
-Name: TypeAlias = Annotated[
-    str,
-    typer.Argument(
-        metavar="NAME",
-        help="A robot, a linkage or an exercise, a YAML or URDF file, or - for a robot on stdin.",
-        autocompletion=complete_robot,
-    ),
-]
+@frozen
+class Motion:
+    """Where a robot moves to, and what stands over it, as it was typed."""
 
-
-def draw(
-    chosen: Annotated[Chosen, But(without=("motors", "from_", "to"), instead={"robot": Name})],
     to: Annotated[
         str | None,
         typer.Option(
@@ -60,16 +55,16 @@ def draw(
             help="Joint values or a pose to move to: a film strip, and a page that plays it.",
             autocompletion=complete_pose,
         ),
-    ] = None,
+    ] = None
     in_: Annotated[
         str | None,
         typer.Option(
             "--in", metavar="FILE", help="A motion through joint values, a row each: .csv, .jsonl or .npy; as in fk."
         ),
-    ] = None,
+    ] = None
     animate: Annotated[
         bool, typer.Option("--animate", help="An .svg of a motion moves by itself instead of being a strip.")
-    ] = False,
+    ] = False
     beside: Annotated[
         str | None,
         typer.Option(
@@ -77,7 +72,13 @@ def draw(
             metavar="NAME",
             help="Another table of this arm over it, and where they part: a robot or a file.",
         ),
-    ] = None,
+    ] = None
+
+
+@frozen
+class Looks:
+    """How a picture looks, as it was typed."""
+
     view: Annotated[
         str | None,
         typer.Option(
@@ -87,7 +88,7 @@ def draw(
             rich_help_panel=LOOK,
             autocompletion=complete_view,
         ),
-    ] = None,
+    ] = None
     size: Annotated[
         str | None,
         typer.Option(
@@ -96,12 +97,29 @@ def draw(
             help="Pixels such as 820x640, or columns and rows of letters.",
             rich_help_panel=LOOK,
         ),
-    ] = None,
-    dark: Annotated[bool, typer.Option("--dark", help="Light on dark.", rich_help_panel=LOOK)] = False,
+    ] = None
+    dark: Annotated[bool, typer.Option("--dark", help="Light on dark.", rich_help_panel=LOOK)] = False
     worksheet: Annotated[
         bool, typer.Option("--worksheet", help="Leave the frames to the student.", rich_help_panel=LOOK)
-    ] = False,
-    table: Annotated[bool, typer.Option("--table", help="Put the DH table beside.", rich_help_panel=LOOK)] = False,
+    ] = False
+    table: Annotated[bool, typer.Option("--table", help="Put the DH table beside.", rich_help_panel=LOOK)] = False
+
+
+@frozen
+class OfExercise:
+    """What the picture of an exercise shows, as it was typed."""
+
+    solution: Annotated[
+        bool, typer.Option("--solution", help="Of an exercise: with the frames that its picture leaves to you.")
+    ] = False
+    yes: Untried = False
+    variant: Variant = None
+
+
+@frozen
+class Sheet:
+    """Where a picture goes, as it was typed."""
+
     output: Annotated[
         str | None,
         typer.Option(
@@ -112,119 +130,111 @@ def draw(
             help="Write a file: .svg .tex .png .pdf .html, or .txt for letters.",
             rich_help_panel="Output",
         ),
-    ] = None,
-    solution: Annotated[
-        bool, typer.Option("--solution", help="Of an exercise: with the frames that its picture leaves to you.")
-    ] = False,
-    yes: Untried = False,
-    variant: Variant = None,
+    ] = None
     open_: Annotated[
         bool, typer.Option("--open", help="Open it in the browser; without -o as a page.", rich_help_panel="Output")
-    ] = False,
-    overwrite: Overwrite = False,
+    ] = False
+    overwrite: Overwrite = False
+
+
+def draw(
+    chosen: Annotated[Chosen, But(without=("motors", "from_", "to"), instead={"robot": AnyName})],
+    motion: Motion,
+    looks: Looks,
+    task: OfExercise,
+    sheet: Sheet,
 ) -> None:
     """Draw a robot at a pose, a linkage, or the arm of an exercise, in the terminal or in a file.
 
     Without --q and --pose the robot stands as shows it best.
     """
     from dhcli.cli.shell.delivery import check_overwrite
-    from dhcli.cli.shell.drawn import find, of_exercise, posed, refuse_table, sides
+    from dhcli.cli.shell.pictures import in_letters, sides
     from dhcli.files.library.kinds import kind_of
-    from dhcli.render.pictures.picture import Picture, format_of
+    from dhcli.render.pictures.picture import format_of
     from dhcli.scene.camera import read_view
 
-    check_overwrite(output, overwrite=overwrite)
-    name = None if output in (None, "-") else format_of(output or "")
-    look = {"view": None if view is None else read_view(view), "dark": dark}
-    robot = chosen.robot
-    if kind_of(robot).noun == "exercise":
-        if chosen.more or table or to or beside or in_:
-            raise DhcliError(
-                f"{robot} is an exercise: it says itself what is given", "--view, --size and --dark are free"
-            )
-        first, *others = (
-            Picture(**look, **{**one, "worksheet": worksheet or one["worksheet"]})  # type: ignore[arg-type]
-            for one in of_exercise(robot, variant, solution=solution, yes=yes)
-        )
-        what, picture = first.what, replace(first, more=tuple(others))
-    else:
-        if solution or yes or variant is not None:
-            raise DhcliError(f"{robot} is no exercise: it has no solution and no variants", "leave the option out")
-        what = find(chosen)
-        given: dict[str, Any] = posed(what, chosen, to=to, beside=beside, rows=in_)
-        picture = Picture(what, worksheet=worksheet, table=table, **look, **given)  # type: ignore[arg-type]
-    pixels = None if size is None else sides(size)
-    if animate and (name != "svg" or not picture.moves):
-        raise DhcliError("--animate is for an .svg of a motion", "--to or --in says where to; a page plays it anyway")
-    if table and (name in ("page", "terminal") or name is None):
-        refuse_table(what, name)
-    if name is None and not open_:
-        _in_letters(picture, pixels)
+    check_overwrite(sheet.output, overwrite=sheet.overwrite)
+    name = None if sheet.output in (None, "-") else format_of(sheet.output or "")
+    view = None if looks.view is None else read_view(looks.view)
+    is_exercise = kind_of(chosen.robot).noun == "exercise"
+    picture = (_exercise if is_exercise else _arm)(chosen, motion, looks, task, view)
+    pixels = None if looks.size is None else sides(looks.size)
+    _check(picture, name, motion, looks)
+    if name is None and not sheet.open_:
+        in_letters(picture, pixels)
         return
-    if name == "terminal":
-        path = _written(picture.terminal(None, *(pixels or ())), output or "", overwrite=overwrite)
-    else:
-        picture = picture if pixels is None else _sized(picture, pixels)
-        if name is None:
-            path = _opened_page(picture, what.name or "linkage")
-        else:
-            content = picture.animated() if animate else picture.rendered(name)
-            path = _written(content, output or "", overwrite=overwrite)
-    if open_:
+    path = _saved(picture, name, pixels, sheet, animate=motion.animate)
+    if sheet.open_:
         import webbrowser
         from pathlib import Path
 
         webbrowser.open(Path(path).resolve().as_uri())
 
 
-def _sized(picture: Picture, sides: tuple[int, int]) -> Picture:
-    from dhcli.render.pictures.picture import check_size
-
-    check_size(sides)
-    return replace(picture, size=sides)
-
-
-def _in_letters(picture: Picture, sides: tuple[int, int] | None) -> None:
-    """The picture on standard output, as large as the window allows."""
-    import shutil
-
-    from dhcli.cli.shell.console import write_out
-    from dhcli.render.paper import Paper
-
-    paper = Paper.of(sys.stdout)
-    columns, rows = sides or (min(paper.width, 120), None)
-    if sides is None and paper.terminal:
-        rows = max(8, min(round(columns * 0.42), shutil.get_terminal_size((80, 24)).lines - 3))
-    write_out(picture.terminal(paper, columns, rows))
-
-
-def _written(content: str | bytes, output: str, *, overwrite: bool) -> str:
-    """Write the file.
+def _exercise(chosen: Chosen, motion: Motion, looks: Looks, task: OfExercise, view: View) -> Picture:
+    """The pictures of an exercise on one sheet.
 
     Raises:
-        FileError: It exists already, or cannot be written.
+        DhcliError: Something is given that the exercise says itself.
     """
-    from dhcli.cli.shell.console import tell
-    from dhcli.cli.shell.delivery import check_free
-    from dhcli.storage.atomic import write_whole
+    from dhcli.cli.shell.drawn import of_exercise
+    from dhcli.render.pictures.picture import Picture
 
-    check_free(output, overwrite=overwrite)
-    write_whole(output, content, overwrite=overwrite)
-    tell(f"wrote {output}")
+    if chosen.more or looks.table or motion.to or motion.beside or motion.in_:
+        raise DhcliError(
+            f"{chosen.robot} is an exercise: it says itself what is given", "--view, --size and --dark are free"
+        )
+    first, *others = (
+        Picture(view=view, dark=looks.dark, **{**one, "worksheet": looks.worksheet or one["worksheet"]})
+        for one in of_exercise(chosen.robot, task.variant, solution=task.solution, yes=task.yes)
+    )
+    return replace(first, more=tuple(others))
+
+
+def _arm(chosen: Chosen, motion: Motion, looks: Looks, task: OfExercise, view: View) -> Picture:
+    """The picture of a robot or a linkage.
+
+    Raises:
+        DhcliError: Something is given that exercises have.
+    """
+    from dhcli.cli.shell.drawn import find, posed
+    from dhcli.render.pictures.picture import Picture
+
+    if task != OfExercise():
+        raise DhcliError(f"{chosen.robot} is no exercise: it has no solution and no variants", "leave the option out")
+    what = find(chosen)
+    given: dict[str, Any] = posed(what, chosen, to=motion.to, beside=motion.beside, rows=motion.in_)
+    return Picture(what, view=view, dark=looks.dark, worksheet=looks.worksheet, table=looks.table, **given)
+
+
+def _check(picture: Picture, name: str | None, motion: Motion, looks: Looks) -> None:
+    """Refuse a motion or a table where the format has none.
+
+    Raises:
+        DhcliError: It has none.
+    """
+    from dhcli.cli.shell.drawn import refuse_table
+
+    if motion.animate and (name != "svg" or not picture.moves):
+        raise DhcliError("--animate is for an .svg of a motion", "--to or --in says where to; a page plays it anyway")
+    if looks.table and (name in ("page", "terminal") or name is None):
+        refuse_table(picture.what, name)
+
+
+def _saved(picture: Picture, name: str | None, pixels: tuple[int, int] | None, sheet: Sheet, *, animate: bool) -> str:
+    """The file that a picture is in, its own or a page for the browser."""
+    from dhcli.cli.shell.pictures import page_to_open, write_letters, write_picture
+    from dhcli.render.pictures.picture import check_size
+
+    output = sheet.output or ""
+    if name == "terminal":
+        write_letters(picture, output, pixels, overwrite=sheet.overwrite)
+        return output
+    if pixels is not None:
+        check_size(pixels)
+        picture = replace(picture, size=pixels)
+    if name is None:
+        return page_to_open(picture, picture.what.name or "linkage")
+    write_picture(picture, output, overwrite=sheet.overwrite, animate=animate)
     return output
-
-
-def _opened_page(picture: Picture, name: str) -> str:
-    """A page in a folder of its own that the system clears; a worksheet, which is no page, and several as SVG."""
-    import re
-    import tempfile
-    from pathlib import Path
-
-    from dhcli.cli.shell.console import tell
-
-    folder = tempfile.mkdtemp(prefix="dhcli-")
-    suffix, text = ("svg", picture.svg()) if picture.worksheet or picture.more else ("html", picture.page())
-    path = Path(folder) / f"{re.sub(r'[^A-Za-z0-9_-]+', '-', name) or 'page'}.{suffix}"
-    path.write_text(text, encoding="utf-8")
-    tell(f"wrote {path}")
-    return str(path)

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Jobs, Overwrite, complete_exercise, format_option, output_option, workers
+from dhcli.cli.shell.options import Jobs, complete_exercise, workers
+from dhcli.cli.shell.written import Written, in_formats
 from dhcli.errors import ExitStatus
 
 if TYPE_CHECKING:
@@ -41,20 +42,18 @@ def grade(
     ] = None,
     timeout: Annotated[str, typer.Option(metavar="TIME", help="Longest that one sheet may take.")] = "10s",
     jobs: Jobs = None,
-    format_: Annotated[str | None, format_option("table", "json", "csv", "gradescope")] = None,
-    output: Annotated[str | None, output_option(".json", ".csv", ".txt")] = None,
-    overwrite: Overwrite = False,
+    *,
+    out: Annotated[Written, in_formats(("table", "json", "csv", "gradescope"), (".json", ".csv", ".txt"))],
 ) -> ExitStatus:
     """Grade every sheet in a folder."""
     from dhcli.classroom.folder import find_sheets
     from dhcli.classroom.grading import grade_all
     from dhcli.classroom.report import report_on
     from dhcli.cli.shell.console import tell
-    from dhcli.cli.shell.delivery import Delivery
     from dhcli.render.text.grades import summary
     from dhcli.render.text.progress import progress
 
-    delivery = Delivery("grade", format_, output=output, overwrite=overwrite)
+    delivery = out.delivery("grade", "class")
     name = delivery.chosen("class")
     delivery.check_output()
     seconds = _seconds(timeout)
@@ -70,7 +69,7 @@ def grade(
         rows = grade_all(found.submissions, exercise, jobs=shared, timeout=seconds, tell=count)
     report = report_on(found, rows)
     delivery.hand_over("class", report)
-    if output:
+    if out.output:
         tell(summary(report))
     return ExitStatus.NOT_RIGHT if report.failed else ExitStatus.DONE
 

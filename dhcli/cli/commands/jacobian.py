@@ -2,29 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import (
-    MANY,
-    Axes,
-    Code,
-    Digits,
-    EndPoint,
-    Format,
-    IgnoreColumns,
-    Index,
-    Let,
-    Output,
-    Overwrite,
-    RowJobs,
-    SkipBad,
-    Spelling,
-    Symbolic,
-    WithValues,
-)
+from dhcli.cli.shell.many import MANY, Many
+from dhcli.cli.shell.options import Axes, EndPoint, Let, Symbolic
+from dhcli.cli.shell.written import Written
+from dhcli.frozen import frozen
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.robot import Robot
+    from dhcli.kinematics.velocity.form import Form
+    from dhcli.kinematics.velocity.view import MotionView
 
 ROWS = "Rows"
 
@@ -47,31 +38,38 @@ dhcli jacobian puma560 --rows q.csv -o jacobians.npy
 """
 
 
-def jacobian(
-    chosen: Chosen,
-    symbolic: Symbolic = False,
-    let: Let = False,
-    in_: Axes = None,
-    point: EndPoint = None,
+@frozen
+class Asked:
+    """Which Jacobian is asked for, as it was typed."""
+
+    symbolic: Symbolic = False
+    let: Let = False
+    in_: Axes = None
+    point: EndPoint = None
     part: Annotated[
         str | None, typer.Option(metavar="PART", help="linear: v alone; angular: ω alone.", rich_help_panel=ROWS)
-    ] = None,
+    ] = None
     order: Annotated[
         str | None, typer.Option(metavar="ORDER", help="angular-first: ω above v.", rich_help_panel=ROWS)
-    ] = None,
+    ] = None
     analytic: Annotated[
         str | None,
         typer.Option(
             metavar="ANGLES", help="Rates of rpy, or of zyz and so on, in the place of ω.", rich_help_panel=ROWS
         ),
-    ] = None,
+    ] = None
     space: Annotated[
         bool,
         typer.Option("--space", help="Space Jacobian: ω first, v of the point at the origin.", rich_help_panel=ROWS),
-    ] = False,
+    ] = False
     body: Annotated[
         bool, typer.Option("--body", help="Body Jacobian: ω first, in the end frame.", rich_help_panel=ROWS)
-    ] = False,
+    ] = False
+
+
+def jacobian(
+    chosen: Chosen,
+    asked: Asked,
     rows: Annotated[
         str | None,
         typer.Option(
@@ -82,65 +80,81 @@ def jacobian(
             rich_help_panel=MANY,
         ),
     ] = None,
-    skip_bad: SkipBad = False,
-    ignore_columns: IgnoreColumns = False,
-    index: Index = False,
-    jobs: RowJobs = None,
-    format_: Format = None,
-    code: Code = None,
-    with_values: WithValues = False,
-    style: Spelling = None,
-    digits: Digits = None,
-    output: Output = None,
-    overwrite: Overwrite = False,
+    *,
+    many: Many,
+    out: Written,
 ) -> None:
     """Jacobian of a robot: velocity of its end for each joint's rate, in numbers or as the textbook prints it."""
-    from dhcli.cli.shell.given import lengths_of, robot_of, values_of
-    from dhcli.cli.shell.moving import form_of, twist_view, view_of
+    if rows is not None or many.given:
+        _rows(chosen, asked, rows, many, out)
+    elif out.is_code:
+        _code(chosen, asked, out)
+    else:
+        _jacobian(chosen, asked, out)
+
+
+def _jacobian(chosen: Chosen, asked: Asked, out: Written) -> None:
+    """One Jacobian."""
+    from dhcli.cli.shell.given import robot_of, values_of
     from dhcli.errors import DhcliError
-    from dhcli.kinematics.velocity.form import Form
-
-    many = rows is not None or skip_bad or ignore_columns or index or jobs is not None
-    if many:
-        from dhcli.cli.shell.jacobian_rows import check_options
-
-        others: dict[str, object] = {"--pose": chosen.pose, "--symbolic": symbolic, "--let": let}
-        others |= {"--style": style, "--digits": digits, "--code": code, "--with-values": with_values}
-        check_options(rows, chosen.robot, others)
-    arm = robot_of(chosen)
-    view = view_of(arm, chosen, in_, point, "--point")
-    form = form_of(part, order, analytic)
-    if space or body:
-        said: dict[str, object] = {"--in": in_, "--point": point, "--order": order, "--analytic": analytic}
-        view = twist_view(arm, view, said, space=space, body=body)
-        form = Form(form.part, angular_first=True)
-    if many and rows is not None:
-        from dhcli.cli.shell.batch import asked_of_rows
-        from dhcli.cli.shell.jacobian_rows import jacobian_rows
-        from dhcli.cli.shell.rows import RowDelivery
-        from dhcli.kinematics.velocity.rows import JacobianRows
-
-        wanted = JacobianRows(arm, view, form, lengths_of(arm, chosen))
-        asked = asked_of_rows(arm, chosen, ignores=ignore_columns)
-        there = RowDelivery(format_, output, overwrite)
-        jacobian_rows(wanted, asked, rows, there, skip_bad=skip_bad, index=index, jobs=jobs)
-        return
-    if code is not None or with_values:
-        from dhcli.cli.shell.coding import code_delivery
-        from dhcli.kinematics.generated import jacobian_function
-
-        besides: dict[str, object] = {"--let": let, "--style": style, "--digits": digits}
-        written = code_delivery("function", "jacobian", code, besides, format_, output, overwrite=overwrite)
-        values = values_of(arm, chosen, symbolic=True)
-        written.hand_over("function", jacobian_function(arm, view, form, values, with_values=with_values))
-        return
-    from dhcli.cli.shell.delivery import Delivery
     from dhcli.kinematics.velocity.asked import answer_jacobian
 
-    if let and not symbolic:
+    arm = robot_of(chosen)
+    view, form = _meant(arm, chosen, asked)
+    if asked.let and not asked.symbolic:
         raise DhcliError("--let gives names to parts of formulas, and this result is in numbers", "add --symbolic")
-    delivery = Delivery("jacobian", format_, digits, style, output, overwrite)
-    delivery.chosen("jacobian")
-    values = values_of(arm, chosen, symbolic=symbolic)
-    result = answer_jacobian(arm, values, view, form, symbolic=symbolic, let=let)
+    delivery = out.delivery("jacobian", "jacobian")
+    values = values_of(arm, chosen, symbolic=asked.symbolic)
+    result = answer_jacobian(arm, values, view, form, symbolic=asked.symbolic, let=asked.let)
     delivery.hand_over("jacobian", result, result.warnings)
+
+
+def _code(chosen: Chosen, asked: Asked, out: Written) -> None:
+    """A function that computes the Jacobian."""
+    from dhcli.cli.shell.coding import code_delivery
+    from dhcli.cli.shell.given import robot_of, values_of
+    from dhcli.kinematics.generated import jacobian_function
+
+    arm = robot_of(chosen)
+    view, form = _meant(arm, chosen, asked)
+    written = code_delivery(out, "jacobian", "function", {"--let": asked.let})
+    values = values_of(arm, chosen, symbolic=True)
+    written.hand_over("function", jacobian_function(arm, view, form, values, with_values=out.with_values))
+
+
+def _rows(chosen: Chosen, asked: Asked, path: str | None, many: Many, out: Written) -> None:
+    """A Jacobian for each row of a file."""
+    from dhcli.cli.shell.batch import Work, compute_rows, joint_table
+    from dhcli.cli.shell.given import lengths_of, robot_of
+    from dhcli.kinematics.velocity.rows import JacobianRows
+    from dhcli.render.code.layouts import jacobian_layout
+
+    others = {"--pose": chosen.pose, "--symbolic": asked.symbolic, "--let": asked.let, **out.options}
+    instead = "rows are numbers, csv, jsonl or npy"
+    path = many.file(path, chosen.robot, others, option="--rows", of="joint values", instead=instead)
+    arm = robot_of(chosen)
+    wanted = JacobianRows(arm, *_meant(arm, chosen, asked), lengths_of(arm, chosen))
+    layout = jacobian_layout(*wanted.layout, index=many.index)
+    unreal = "the Jacobian has an entry that is not a real number here"
+    width = layout.width - many.index
+    work = Work(arm, layout, wanted.jacobians, lambda found: found.reshape(len(found), width), unreal)
+    compute_rows(work, joint_table(arm, chosen, many), path, out.rows(), many)
+
+
+def _meant(arm: Robot, chosen: Chosen, asked: Asked) -> tuple[MotionView, Form]:
+    """Of which frame and point, along which axes, and in which form.
+
+    Raises:
+        DhcliError: There is no such frame, point or form, or two options contradict each other.
+    """
+    from dhcli.cli.shell.moving import form_of, twist_view, view_of
+    from dhcli.kinematics.velocity.form import Form
+
+    view = view_of(arm, chosen, asked.in_, asked.point, "--point")
+    form = form_of(asked.part, asked.order, asked.analytic)
+    if not (asked.space or asked.body):
+        return view, form
+    said: dict[str, object] = {"--in": asked.in_, "--point": asked.point, "--order": asked.order}
+    said |= {"--analytic": asked.analytic}
+    view = twist_view(arm, view, said, space=asked.space, body=asked.body)
+    return view, Form(form.part, angular_first=True)

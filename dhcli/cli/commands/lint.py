@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Overwrite, format_option, output_option
+from dhcli.cli.shell.written import Written, in_formats
 from dhcli.errors import ExitStatus
 
 EXAMPLES = """
@@ -23,16 +23,13 @@ def lint(
         list[str] | None,
         typer.Argument(metavar="PATH...", help="Files and folders; ./robots and ./exercises by default."),
     ] = None,
-    format_: Annotated[str | None, format_option("table", "json")] = None,
-    output: Annotated[str | None, output_option(".json", ".txt")] = None,
-    overwrite: Overwrite = False,
+    *,
+    out: Annotated[Written, in_formats(("table", "json"), (".json", ".txt"))],
 ) -> ExitStatus:
     """Look for mistakes in exercises, robots and linkages before students do; ends with 1 on an error."""
-    from dhcli.cli.shell.delivery import Delivery
     from dhcli.lint.files import lint as lint_files
 
-    delivery = Delivery("lint", format_, output=output, overwrite=overwrite)
-    delivery.chosen("lint")
+    delivery = out.delivery("lint", "lint")
     linted = lint_files(paths or ())
     delivery.hand_over("lint", linted)
     return ExitStatus.NOT_RIGHT if linted.errors else ExitStatus.DONE

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Overwrite, format_option, output_option
+from dhcli.cli.shell.written import Written, in_formats
 
 if TYPE_CHECKING:
     from dhcli.files.library.lookup import Kind
@@ -34,17 +34,14 @@ def list_(
             metavar="KIND", help="robots, linkages or exercises; all by default.", autocompletion=complete_kind
         ),
     ] = None,
-    format_: Annotated[str | None, format_option("table", "json", "csv")] = None,
-    output: Annotated[str | None, output_option(".json", ".csv", ".txt")] = None,
-    overwrite: Overwrite = False,
+    *,
+    out: Annotated[Written, in_formats(("table", "json", "csv"), (".json", ".csv", ".txt"))],
 ) -> None:
     """List what there is: names, joints, titles, and the folder each comes from."""
     from dhcli.cli.shell.console import tell
-    from dhcli.cli.shell.delivery import Delivery
     from dhcli.files.library.catalogue import catalogue
 
-    delivery = Delivery("list", format_, output=output, overwrite=overwrite)
-    delivery.chosen("library")
+    delivery = out.delivery("list", "library")
     listed = catalogue(kinds_of(kind))
     delivery.hand_over("library", listed)
     if not listed:

@@ -10,8 +10,8 @@ import typer
 
 from dhcli.cli.app import Group, One
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Overwrite, file_to_write
 from dhcli.cli.shell.spreading import But, spread
+from dhcli.cli.shell.written import Overwrite, file_to_write
 
 _OF_URDF = But(without=("robot", "q", "deg", "pose", "set_", "motors", "from_", "to", "tool"))
 """Of the options about a robot those that choose a chain of a URDF."""
@@ -73,7 +73,9 @@ def robot(
     overwrite: Overwrite = False,
 ) -> None:
     """Write a commented robot file that loads, for you to change, or one that is made of another description."""
+    from dhcli.cli.shell.console import tell
     from dhcli.errors import DhcliError
+    from dhcli.files.library.lookup import OWN, is_own, typed_path
     from dhcli.files.yaml.templates import check_name, robot_template
 
     if from_ is not None:
@@ -91,8 +93,10 @@ def robot(
     else:
         text = robot_template(name, convention or "standard", joints or "RRP")
     path = Path(output or f"robots/{name}.yaml")
-    asked = name if output is None else _typed(path)
+    asked = name if output is None else typed_path(path)
     _write(text, output, path, f"dhcli show {asked}, then dhcli fk {asked} --symbolic", overwrite=overwrite)
+    if output is None and is_own(name):
+        tell(f"note: it hides the robot {name} that dhcli brings along, which is {OWN}{name} now")
 
 
 @new.command(cls=One, epilog="dhcli new exercise my-course/first --robot planar-2r")
@@ -113,7 +117,7 @@ def exercise(
 ) -> None:
     """Write a commented exercise file with blanks that lint points at, for you to fill in."""
     from dhcli.errors import DhcliError
-    from dhcli.files.library.lookup import Kind, is_path
+    from dhcli.files.library.lookup import Kind, is_path, typed_path
     from dhcli.files.yaml.exercise_template import exercise_template
     from dhcli.files.yaml.robots import load_robot
 
@@ -125,7 +129,7 @@ def exercise(
     if robot.path is not None and is_path(Kind.ROBOTS, robot_name):
         called = Path(os.path.relpath(robot.path, "." if output == "-" else path.parent)).as_posix()
     text = exercise_template(name, robot, called)
-    _write(text, output, path, f"fill in what is empty, then dhcli lint {_typed(path)}", overwrite=overwrite)
+    _write(text, output, path, f"fill in what is empty, then dhcli lint {typed_path(path)}", overwrite=overwrite)
 
 
 @new.command(cls=One, epilog="dhcli new linkage my-press --form joints")
@@ -145,21 +149,13 @@ def linkage(
     overwrite: Overwrite = False,
 ) -> None:
     """Write a commented linkage file that loads, for you to change."""
+    from dhcli.files.library.lookup import typed_path
     from dhcli.files.yaml.linkage_template import linkage_template
 
     text = linkage_template(name, form)
     path = Path(output or f"robots/linkages/{name}.yaml")
-    asked = name if output is None else _typed(path)
+    asked = name if output is None else typed_path(path)
     _write(text, output, path, f"dhcli show {asked}, then dhcli dof {asked}", overwrite=overwrite)
-
-
-def _typed(path: Path) -> str:
-    """A path as it is typed in a command, where it is no name."""
-    from shlex import quote
-
-    from dhcli.files.library.lookup import Kind, is_path
-
-    return quote(str(path) if is_path(Kind.ROBOTS, str(path)) else f"./{path}")
 
 
 def _write(text: str, output: str | None, path: Path, then: str, *, overwrite: bool) -> None:
@@ -174,7 +170,7 @@ def _write(text: str, output: str | None, path: Path, then: str, *, overwrite: b
     """
     from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import make_folder, write_file
-    from dhcli.cli.shell.endings import check_ending
+    from dhcli.render.endings import check_ending
 
     if output == "-":
         write_out(text)

@@ -7,16 +7,8 @@ from typing import Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import (
-    AtPoint,
-    Axes,
-    Digits,
-    Format,
-    Output,
-    Overwrite,
-    Spelling,
-    Symbolic,
-)
+from dhcli.cli.shell.options import AtPoint, Axes, Symbolic
+from dhcli.cli.shell.written import Shown
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -52,14 +44,10 @@ def rates(
     symbolic: Symbolic = False,
     in_: Axes = None,
     at: AtPoint = None,
-    format_: Format = None,
-    style: Spelling = None,
-    digits: Digits = None,
-    output: Output = None,
-    overwrite: Overwrite = False,
+    *,
+    out: Shown,
 ) -> None:
     """Joint rates for a velocity of a robot's end, or with --rates the velocity that they give."""
-    from dhcli.cli.shell.delivery import Delivery
     from dhcli.cli.shell.given import robot_of, values_of
     from dhcli.cli.shell.moving import view_of
     from dhcli.cli.shell.vectors import SPEED, TURNING, rates_of, vector_of
@@ -74,8 +62,7 @@ def rates(
         raise DhcliError("--symbolic does not go with --damped", "damped rates are numbers: leave one out")
     if damped is not None and not wanted:
         raise DhcliError("--damped is about joint rates for a velocity", "give --velocity VX,VY,VZ")
-    delivery = Delivery("rates", format_, digits, style, output, overwrite)
-    delivery.chosen("velocity")
+    delivery = out.delivery("rates", "velocity")
     arm = robot_of(chosen)
     view = view_of(arm, chosen, in_, at, "--at")
     values = values_of(arm, chosen, symbolic=symbolic)

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Overwrite, file_to_write
+from dhcli.cli.shell.written import Overwrite, file_to_write
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -47,8 +47,8 @@ def schema(
 
     from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import write_file
-    from dhcli.cli.shell.endings import check_ending
     from dhcli.files.keys.schema import schema_of
+    from dhcli.render.endings import check_ending
 
     text = json.dumps(schema_of(kind), indent=2, ensure_ascii=False) + "\n"
     if output in (None, "-"):

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Annotated, cast
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Overwrite, Variant, format_option, output_option
+from dhcli.cli.shell.options import AnyName, Variant
 from dhcli.cli.shell.spreading import But
+from dhcli.cli.shell.written import Written, in_formats
 from dhcli.errors import DhcliError
 
 if TYPE_CHECKING:
@@ -27,26 +28,26 @@ dhcli show planar-in-numbers --variant alice
 
 
 def show(
-    chosen: Annotated[Chosen, But(without=("q", "deg", "pose", "set_", "motors", "from_", "to", "tool"))],
+    chosen: Annotated[
+        Chosen,
+        But(without=("q", "deg", "pose", "set_", "motors", "from_", "to", "tool"), instead={"robot": AnyName}),
+    ],
     variant: Variant = None,
-    format_: Annotated[str | None, format_option("table", "json", "latex", "csv")] = None,
-    output: Annotated[str | None, output_option(".json", ".tex", ".csv", ".txt")] = None,
-    overwrite: Overwrite = False,
+    *,
+    out: Annotated[Written, in_formats(("table", "json", "latex", "csv"), (".json", ".tex", ".csv", ".txt"))],
     draw: Annotated[bool, typer.Option("--draw", help="With a picture under it, in letters.")] = False,
 ) -> None:
     """Show a robot's table, a linkage's joints or an exercise's task, and where it comes from."""
-    from dhcli.cli.shell.delivery import Delivery
     from dhcli.files.library.kinds import kind_of
 
-    delivery = Delivery("show", format_, output=output, overwrite=overwrite)
     name = chosen.robot
     kind = kind_of(name).noun
-    delivery.chosen(kind)
+    delivery = out.delivery("show", kind)
     ends = {"--base": chosen.base, "--tip": chosen.tip, "--as-typed": chosen.as_typed or None}
     if kind != "robot" and (given := [option for option, value in ends.items() if value is not None]):
         raise DhcliError(f"{' and '.join(given)} choose links of a URDF, and {name} is no robot", "leave them out")
     result = _load(kind, chosen, variant)
-    if draw and (kind == "exercise" or delivery.chosen(kind) != "table" or output is not None):
+    if draw and (kind == "exercise" or delivery.chosen(kind) != "table" or out.output is not None):
         raise DhcliError("--draw puts a picture under the table of a robot or a linkage", "dhcli draw writes files")
     delivery.hand_over(kind, result, getattr(result, "remarks", ()))
     if draw:

@@ -7,14 +7,9 @@ from typing import Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import (
-    WHERE,
-    EndPoint,
-    Format,
-    Output,
-    Overwrite,
-    Spelling,
-)
+from dhcli.cli.shell.options import WHERE, EndPoint
+from dhcli.cli.shell.spreading import But
+from dhcli.cli.shell.written import Written
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -40,20 +35,16 @@ def singularities(
             rich_help_panel=WHERE,
         ),
     ] = None,
-    format_: Format = None,
-    style: Spelling = None,
-    output: Output = None,
-    overwrite: Overwrite = False,
+    *,
+    out: Annotated[Written, But(without=("code", "with_values", "digits"))],
 ) -> None:
     """Singular poses of a robot: the determinant in factors, what each means, and with --q how far they are."""
-    from dhcli.cli.shell.delivery import Delivery
     from dhcli.cli.shell.given import lengths_of, robot_of, values_of
     from dhcli.cli.shell.moving import part_of, view_of
     from dhcli.kinematics.singular.finding import find
     from dhcli.kinematics.velocity.asked import answer_singularities
 
-    delivery = Delivery("singularities", format_, None, style, output, overwrite)
-    delivery.chosen("singularities")
+    delivery = out.delivery("singularities", "singularities")
     arm = robot_of(chosen)
     view = view_of(arm, chosen, None, point, "--point")
     given = lengths_of(arm, chosen, symbolic=True)

@@ -7,7 +7,8 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.options import ExerciseName, Variant, file_to_write
+from dhcli.cli.shell.options import ExerciseName, Variant
+from dhcli.cli.shell.written import file_to_write
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -35,9 +36,9 @@ def start(
     from dhcli.checking.variants import variant_of
     from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import write_file
-    from dhcli.cli.shell.endings import check_ending
     from dhcli.files.yaml.exercises import load_exercise
     from dhcli.files.yaml.sheets import write_sheet
+    from dhcli.render.endings import check_ending
 
     exercise = variant_of(Judge(load_exercise(name)), variant).exercise
     text = write_sheet(exercise)

@@ -10,15 +10,19 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Digits, EndPoint, Jobs, Overwrite, complete_joint, file_to_write, workers
+from dhcli.cli.shell.options import EndPoint, Jobs, complete_joint, workers
+from dhcli.cli.shell.written import Digits, Overwrite, file_to_write
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from dhcli.cli.shell.rows import RowDelivery
+    from dhcli.cli.shell.rows import RowDelivery, RowSink
     from dhcli.kinematics.sweep.density import Density
     from dhcli.kinematics.sweep.grid import Grid
+    from dhcli.kinematics.sweep.target import Target
+    from dhcli.kinematics.sweep.workspace import Workspace
+    from dhcli.render.pictures.picture import Picture
 
 
 EXAMPLES = """
@@ -80,7 +84,6 @@ def sweep(
     --q and --pose say where the joints stand that are not swept, at 0 by default.
     """
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.drawn import check_picture, draw_workspace
     from dhcli.cli.shell.given import open_scope, point_of, robot_of, values_of
     from dhcli.errors import Place
     from dhcli.kinematics.frames import View
@@ -92,6 +95,8 @@ def sweep(
     delivery.chosen("sweep")
     points = _points(output, overwrite=overwrite and not (draw and output is None))
     if draw is not None:
+        from dhcli.cli.shell.pictures import check_picture, write_picture
+
         check_picture(draw, overwrite=overwrite)
     arm = robot_of(chosen)
     values = values_of(arm, chosen)
@@ -109,16 +114,29 @@ def sweep(
         result = go_through(target, grid, take, threads=threads, tell=tell)
     delivery.hand_over("sweep", result, result.warnings)
     if draw is not None and density is not None:
-        draw_workspace(target, density.workspace(target), draw, overwrite=overwrite)
+        write_picture(_picture(target, grid, density.workspace(target)), draw, overwrite=overwrite)
+
+
+def _picture(target: Target, grid: Grid, workspace: Workspace) -> Picture:
+    """The points with the arm among them, joints that are held where they are."""
+    from dhcli.kinematics.derived import in_floats
+    from dhcli.notation.angle import Angle
+    from dhcli.render.pictures.picture import Picture
+    from dhcli.scene.choice import best_pose
+
+    _, values = best_pose(target.robot, target.lengths)
+    values |= {axis.name: axis.first for axis in grid.held}
+    q = {name: value if isinstance(value, Angle) else in_floats(value) for name, value in values.items()}
+    return Picture(target.robot, q, parameters=target.lengths, workspace=workspace)
 
 
 def _points(output: str | None, *, overwrite: bool) -> RowDelivery | None:
     """Where the points go, once it is known that they can; None if nobody wants them."""
     if output is None and not overwrite:
         return None
-    from dhcli.cli.shell.endings import format_by_ending
     from dhcli.cli.shell.rows import RowDelivery
     from dhcli.render.code.rows import FORMATS
+    from dhcli.render.endings import format_by_ending
 
     if output is not None:
         summary = "the summary is on standard output, see --format"
@@ -134,10 +152,13 @@ def _taking(
 ) -> Iterator[tuple[Callable[[NDArray[np.float64]], None] | None, Callable[[int], None]]]:
     """What takes the rows of a grid, a file and a picture if they are wanted; and the bar that shows how far it is."""
     from dhcli.render.text.progress import row_progress
-    from dhcli.render.text.sweep import point_layout
 
     with ExitStack() as stack:
-        sink = None if points is None else stack.enter_context(points.open(point_layout(grid)))
+        sink: RowSink | None = None
+        if points is not None:
+            from dhcli.render.code.layouts import point_layout
+
+            sink = stack.enter_context(points.open(point_layout(axis.name for axis in grid.axes)))
         bar = stack.enter_context(row_progress(sys.stderr))
 
         def take(rows: NDArray[np.float64]) -> None:

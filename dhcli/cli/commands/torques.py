@@ -7,16 +7,8 @@ from typing import Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import (
-    AtPoint,
-    Axes,
-    Digits,
-    Format,
-    Output,
-    Overwrite,
-    Spelling,
-    Symbolic,
-)
+from dhcli.cli.shell.options import AtPoint, Axes, Symbolic
+from dhcli.cli.shell.written import Shown
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -40,14 +32,10 @@ def torques(
     symbolic: Symbolic = False,
     in_: Axes = None,
     at: AtPoint = None,
-    format_: Format = None,
-    style: Spelling = None,
-    digits: Digits = None,
-    output: Output = None,
-    overwrite: Overwrite = False,
+    *,
+    out: Shown,
 ) -> None:
     """Joint torques with which a robot presses with a force: tau = Jᵀ F, in numbers or in symbols."""
-    from dhcli.cli.shell.delivery import Delivery
     from dhcli.cli.shell.given import robot_of, values_of
     from dhcli.cli.shell.moving import view_of
     from dhcli.cli.shell.vectors import FORCE, MOMENT, vector_of
@@ -56,8 +44,7 @@ def torques(
 
     if push is None and moment is None:
         raise DhcliError("torques of what?", "--force 0,0,10 or --moment 0,0,1: what the end exerts")
-    delivery = Delivery("torques", format_, digits, style, output, overwrite)
-    delivery.chosen("torques")
+    delivery = out.delivery("torques", "torques")
     arm = robot_of(chosen)
     view = view_of(arm, chosen, in_, at, "--at")
     wrench = vector_of(push or "0,0,0", "--force", FORCE, arm), vector_of(moment or "0,0,0", "--moment", MOMENT, arm)

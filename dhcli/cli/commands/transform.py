@@ -6,7 +6,8 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Digits, Format, Forms, Output, Overwrite, Settings, Spelling
+from dhcli.cli.shell.options import Forms, Settings
+from dhcli.cli.shell.written import Shown
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -40,22 +41,17 @@ def transform(
     ] = None,
     set_: Settings = None,
     as_: Forms = None,
-    format_: Format = None,
-    style: Spelling = None,
-    digits: Digits = None,
-    output: Output = None,
-    overwrite: Overwrite = False,
+    *,
+    out: Shown,
 ) -> None:
     """Compose moves and matrices, in numbers or in symbols, and see where points go."""
-    from dhcli.cli.shell.delivery import Delivery
     from dhcli.cli.shell.given import forms_of, names_of, point_of, product_of, settings_of
     from dhcli.errors import Place
     from dhcli.kinematics.transform import Wanted, compose, read_product, values_for
     from dhcli.notation.scope import usual
 
     kind = "steps" if steps else "transform"
-    delivery = Delivery("transform", format_, digits, style, output, overwrite)
-    delivery.chosen(kind)
+    delivery = out.delivery("transform", kind)
     names = names_of(symbols or "", "--symbols")
     moves = read_product(*product_of(product), names)
     wanted = Wanted(

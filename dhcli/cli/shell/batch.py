@@ -1,16 +1,15 @@
-"""`dhcli fk --in`: a pose for each row of a file, as they come, however many there are."""
+"""`fk --in` and `jacobian --rows`: a result for each row of a file, as they come, however many there are."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.console import say
-from dhcli.cli.shell.given import forms_of, lengths_of, open_scope, point_of
 from dhcli.cli.shell.joints import typed_joints
+from dhcli.cli.shell.many import Many
 from dhcli.cli.shell.options import workers
 from dhcli.cli.shell.rows import RowDelivery
 from dhcli.errors import DhcliError, FileError, Place, Problem, plural
@@ -19,12 +18,12 @@ from dhcli.files.rows.blocks import MOST, Block
 from dhcli.files.rows.columns import JointTable
 from dhcli.files.rows.formats import Rows, joint_rows
 from dhcli.files.rows.source import Source, open_source
+from dhcli.frozen import frozen
 from dhcli.kinematics.derived import in_floats
-from dhcli.kinematics.frames import View
-from dhcli.kinematics.many import PoseRows, is_real, numbered
+from dhcli.kinematics.many import is_real, numbered
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.tally import Tally
-from dhcli.render.code.pose_rows import pose_layout
+from dhcli.render.code.rows import Layout
 from dhcli.render.paper import Paper
 from dhcli.render.text.problems import warning_line
 from dhcli.render.text.progress import row_progress
@@ -37,59 +36,28 @@ _BYTES = 1 << 24
 """Bytes of a file that are worth one more thread: some hundred thousand rows of an array."""
 
 
-def check_options(path: str | None, robot: str, others: Mapping[str, object]) -> str:
-    """The file with the rows, if nothing else is asked for that a row cannot have.
+@frozen
+class Work:
+    """What is computed of each row of joint values.
 
-    Args:
-        path: What `--in` says.
-        robot: The robot as it was typed.
-        others: Options that do not go with rows, and their values.
-
-    Raises:
-        DhcliError: There is no file, or one of the others is given.
+    Attributes:
+        robot: The robot.
+        layout: The columns of the results.
+        computed: Results of joint values, shape (N, ...), by so many threads; NaN where one is not real.
+        said: The numbers of results as they stand in their columns.
+        unreal: What to say of a result that is not real.
+        locked: For each form of three angles that is asked for, in how many results only two of them can be told.
     """
-    if path is None:
-        raise DhcliError(
-            "--skip-bad, --ignore-columns, --index and --jobs are for many poses", "name their file with --in FILE"
-        )
-    if path == robot == "-":
-        raise DhcliError("the robot and the rows cannot both come from standard input", "save one of them in a file")
-    if given := [option for option, value in others.items() if value is not None and value is not False]:
-        verb = "does" if len(given) == 1 else "do"
-        hint = "with --in go --q NAME=VALUE --deg --set --from --to --tool --inverse --frames --point --as --skip-bad "
-        hint += "--ignore-columns --index --jobs --format -o --overwrite"
-        raise DhcliError(f"{' and '.join(given)} {verb} not go with --in", hint)
-    return path
+
+    robot: Robot
+    layout: Layout
+    computed: Callable[[NDArray[np.float64], int], NDArray[np.float64]]
+    said: Callable[[NDArray[np.float64]], NDArray[np.float64]]
+    unreal: str
+    locked: Callable[[NDArray[np.float64]], Mapping[str, int]] = lambda _: {}
 
 
-def rows_wanted(
-    arm: Robot,
-    chosen: Chosen,
-    forms: Sequence[str],
-    point: str | None,
-    *,
-    inverse: bool,
-    every: bool,
-) -> PoseRows:
-    """What the options ask of each row; see `fk`.
-
-    Raises:
-        DhcliError: There is no such frame or form, a length has no value, or the point is none.
-    """
-    if point is not None and (forms or every):
-        raise DhcliError(f"--point and {'--as' if forms else '--frames'} ask for different things", "use one of them")
-    view = View.of(arm, chosen.from_, chosen.end, inverse=inverse)
-    lengths = lengths_of(arm, chosen)
-    if point is None:
-        views = view.on_the_way(arm) if every else (view,)
-        return PoseRows(arm, views, lengths, forms_of(forms) or ("matrix",), every)
-    from dhcli.kinematics.sweep.target import target_of
-
-    target = target_of(arm, replace(view, point=point_of(point, "--point", open_scope(arm))), lengths)
-    return PoseRows(arm, (target.view,), lengths, ("position",))
-
-
-def asked_of_rows(robot: Robot, chosen: Chosen, *, ignores: bool) -> JointTable:
+def joint_table(robot: Robot, chosen: Chosen, many: Many) -> JointTable:
     """What the columns of a file are read for; a joint that `--q` gives has none.
 
     Raises:
@@ -102,49 +70,37 @@ def asked_of_rows(robot: Robot, chosen: Chosen, *, ignores: bool) -> JointTable:
     held = {name: in_floats(value) for name, value in typed_joints(robot, q, chosen.bare).items()}
     if held and len(held) == len(robot.variables):
         raise DhcliError("--q gives all joints", "leave --in out, or a joint to the file")
-    return JointTable(robot, chosen.deg, held, ignores)
+    return JointTable(robot, chosen.deg, held, many.ignore_columns)
 
 
-def fk_rows(
-    wanted: PoseRows,
-    asked: JointTable,
-    path: str,
-    delivery: RowDelivery,
-    *,
-    skip_bad: bool,
-    index: bool,
-    jobs: int | None,
-) -> None:
-    """Compute a pose for each row of a file, and hand the poses over as they come.
+def compute_rows(work: Work, table: JointTable, path: str, delivery: RowDelivery, many: Many) -> None:
+    """Compute a result for each row of a file, and hand the results over as they come.
 
     Args:
-        wanted: What is wanted of each row.
-        asked: What the file is read for.
+        work: What is computed.
+        table: What the file is read for.
         path: The file with the joint values; `-` for standard input.
-        delivery: Where the poses go.
-        skip_bad: Whether to go on without the rows that are bad.
-        index: Whether each pose says where its joint values stand.
-        jobs: How many threads share the computing; by default as many as a file of this size is worth.
+        delivery: Where the results go.
+        many: Whether to go on without bad rows, whether each result says where its row stands, and how many threads
+            share the computing; by default as many as a file of this size is worth.
 
     Raises:
         FileError: The file is no table for this robot, a row is bad, or the result cannot be written.
     """
-    layout = pose_layout(wanted.forms, wanted.views if wanted.every else (), index=index)
-    # With the last row of each matrix.
-    whole = delivery.chosen() == "npy" and wanted.forms == ("matrix",) and not index
-    tally, bad = Tally(wanted.robot), BadRows(path, skip=skip_bad)
+    delivery.chosen()
+    tally, bad = Tally(work.robot), BadRows(path, skip=many.skip_bad)
     with open_source(path) as source:
-        threads = threads_for(source, jobs)
-        rows = joint_rows(source, asked, threads)
-        with delivery.open(layout) as sink, row_progress(sys.stderr, wanted=delivery.is_away) as tell:
+        threads = threads_for(source, many.jobs)
+        rows = joint_rows(source, table, threads)
+        with delivery.open(work.layout) as sink, row_progress(sys.stderr, wanted=delivery.is_away) as tell:
             for block in rows.blocks():
                 bad.take(block.bad, block.bad_rows)
-                poses = wanted.poses(block.q, threads)
-                real = _real(block, poses, rows, bad)
-                poses = poses[real]
-                tally.take(block.q[real], block.in_radians, locked=wanted.locked(poses))
-                said = poses if whole else wanted.said(poses)
-                sink.write(numbered(block.rows, real, said) if index else said)
+                results = work.computed(block.values, threads)
+                real = _real(block, results, work.unreal, rows, bad)
+                results = results[real]
+                tally.take(block.values[real], block.in_radians, locked=work.locked(results))
+                said = work.said(results)
+                sink.write(numbered(block.rows, real, said) if many.index else said)
                 if not sink.wanted:
                     return
                 tell(sink.count + bad.count, source.share)
@@ -204,12 +160,13 @@ class BadRows:
         say("".join(lines))
 
 
-def _real(block: Block, poses: NDArray[np.float64], rows: Rows, bad: BadRows) -> NDArray[np.bool_] | slice:
-    """The rows whose pose is one."""
-    real = is_real(poses)
+def _real(
+    block: Block, results: NDArray[np.float64], unreal: str, rows: Rows, bad: BadRows
+) -> NDArray[np.bool_] | slice:
+    """The rows whose result is one."""
+    real = is_real(results)
     if real.all():
         return slice(None)
     where = (~real).nonzero()[0].tolist()
-    message = "the pose has an entry that is not a real number"
-    bad.take([Problem(message, rows.place_of(block.rows[i])) for i in where[:MOST]], len(where))
+    bad.take([Problem(unreal, rows.place_of(block.rows[i])) for i in where[:MOST]], len(where))
     return real

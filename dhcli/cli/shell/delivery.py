@@ -7,9 +7,9 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from dhcli.cli.shell.console import say, tell, write_out
-from dhcli.cli.shell.endings import ENDINGS, check_ending, format_by_ending
 from dhcli.errors import DhcliError, FileError, Place, Problem, UnknownNameError, did_you_mean
 from dhcli.frozen import frozen
+from dhcli.render.endings import ENDINGS, check_ending, format_by_ending
 from dhcli.render.kinds import check_format, content, formats, render
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
@@ -142,12 +142,12 @@ def check_free(path: Path | str, *, overwrite: bool, instead: str = "") -> None:
     check_place(path)
 
 
-def write_file(path: Path | str, text: str, *, overwrite: bool, instead: str = "") -> None:
+def write_file(path: Path | str, content: str | bytes, *, overwrite: bool, instead: str = "") -> None:
     """Write a file whole or not at all.
 
     Args:
         path: The file.
-        text: What it is to hold.
+        content: What it is to hold.
         overwrite: Whether one that stands there may be overwritten.
         instead: What else may be done with that one, before overwriting is spoken of.
 
@@ -157,4 +157,4 @@ def write_file(path: Path | str, text: str, *, overwrite: bool, instead: str = "
     from dhcli.storage.atomic import write_whole
 
     check_free(path, overwrite=overwrite, instead=instead)
-    write_whole(path, text, overwrite=overwrite)
+    write_whole(path, content, overwrite=overwrite)

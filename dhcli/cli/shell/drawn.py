@@ -10,8 +10,6 @@ from dhcli.errors import DhcliError, FileError, Place, Problem
 
 if TYPE_CHECKING:
     from dhcli.kinematics.robot import Robot
-    from dhcli.kinematics.sweep.target import Target
-    from dhcli.kinematics.sweep.workspace import Workspace
     from dhcli.mobility.linkage import Linkage
 
 
@@ -120,56 +118,22 @@ def _read_rows(robot: Robot, path: str, chosen: Chosen) -> tuple[tuple[float, ..
     Raises:
         FileError: The file is no table for this robot, a row is bad, or there are none or too many.
     """
-    from dhcli.cli.shell.batch import asked_of_rows
+    from dhcli.cli.shell.batch import joint_table
+    from dhcli.cli.shell.many import Many
     from dhcli.files.rows.formats import joint_rows
     from dhcli.files.rows.source import open_source
 
     found: list[tuple[float, ...]] = []
     with open_source(path) as source:
-        for block in joint_rows(source, asked_of_rows(robot, chosen, ignores=False)).blocks():
+        for block in joint_rows(source, joint_table(robot, chosen, Many())).blocks():
             if block.bad:
                 raise FileError(block.bad)
-            found += map(tuple, block.q.tolist())
+            found += map(tuple, block.values.tolist())
             if len(found) > MOST_ROWS:
                 raise FileError(Problem(f"has more than {MOST_ROWS:,} rows", Place(path), "draw every tenth"))
     if not found:
         raise FileError(Problem("holds no joint values", Place(path)))
     return tuple(found)
-
-
-def check_picture(path: str, *, overwrite: bool, page: str = "") -> None:
-    """Refuse a file that is no picture, or that exists already, before anything is computed.
-
-    Args:
-        path: The file.
-        overwrite: Whether it may be overwritten.
-        page: Why it cannot be a page; empty where it can.
-
-    Raises:
-        DhcliError: Its suffix stands for no such picture.
-        FileError: It exists already.
-    """
-    from dhcli.cli.shell.delivery import check_free
-    from dhcli.render.pictures.picture import format_of
-
-    if page and format_of(path) == "page":
-        raise DhcliError(page, "write .svg, .pdf, .png or .tex")
-    check_free(path, overwrite=overwrite)
-
-
-def draw_workspace(target: Target, workspace: Workspace, path: str, *, overwrite: bool) -> None:
-    """Draw the points of a sweep, and write the file.
-
-    Raises:
-        FileError: It cannot be written.
-    """
-    from dhcli.cli.shell.console import tell
-    from dhcli.render.pictures.picture import Picture, format_of
-    from dhcli.storage.atomic import write_whole
-
-    picture = Picture(target.robot, parameters=target.lengths, workspace=workspace)
-    write_whole(path, picture.rendered(format_of(path)), overwrite=overwrite)
-    tell(f"wrote {path}")
 
 
 def refuse_table(what: Robot | Linkage, name: str | None) -> None:
@@ -180,14 +144,4 @@ def refuse_table(what: Robot | Linkage, name: str | None) -> None:
         raise DhcliError(f"{what.name} is a linkage: it has no DH table")
     if name == "page":
         raise DhcliError("a page always has the table beside", "leave --table out")
-    raise DhcliError("--table stands beside a figure in a file", f"dhcli show {what.name} --draw has both in letters")
-
-
-def sides(text: str) -> tuple[int, int]:
-    """`820x640` in numbers."""
-    import re
-
-    match = re.fullmatch(r"\s*(\d{1,5})\s*[x×,]\s*(\d{1,5})\s*", text, re.ASCII)
-    if match is None:
-        raise DhcliError(Problem(f"'{text}' is no size", Place("--size"), "write width and height, such as 820x640"))
-    return int(match[1]), int(match[2])
+    raise DhcliError("--table stands beside a figure in a file", f"dhcli show {what.typed} --draw has both in letters")

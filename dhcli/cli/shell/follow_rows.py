@@ -5,14 +5,14 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 
+from dhcli.cli.shell.batch import BadRows
 from dhcli.cli.shell.console import say
 from dhcli.cli.shell.pose_wish import PoseWish
 from dhcli.cli.shell.rows import RowDelivery
 from dhcli.errors import FileError, Place, Problem, RobotError
-from dhcli.files.reading import source_of
+from dhcli.files.rows.source import Source
 from dhcli.kinematics.inverse.path import follow, joined
-from dhcli.render.code.pose_rows import INDEX
-from dhcli.render.code.rows import Group, Layout
+from dhcli.render.code.layouts import joint_layout
 from dhcli.render.paper import Paper
 from dhcli.render.text.problems import warning_line
 
@@ -20,14 +20,14 @@ MOST_TOLD = 8
 """Rows that a warning names; of more, it tells how many."""
 
 
-def follow_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[Problem] | None = None) -> int:
+def follow_rows(wanted: PoseWish, source: Source, delivery: RowDelivery, bad: BadRows) -> int:
     """Follow the poses of a file, each by the joint values nearest to those before it.
 
     Args:
         wanted: What is wanted of each pose.
-        path: The file; `-` for standard input.
+        source: The file.
         delivery: Where the joint values go.
-        bad: Where rows that are no pose are noted and left out; without it the first of them is an error.
+        bad: Takes rows that are no pose.
 
     Returns:
         How many poses are out of reach.
@@ -36,11 +36,15 @@ def follow_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[Pr
         FileError: The file cannot be read, or a row is no pose.
     """
     blocks, places = [], list[int]()
-    for poses, where in wanted.blocks(path, bad):
+    for poses, where in wanted.poses(source, bad):
         blocks.append(poses)
         places += where
     if not blocks:
-        raise FileError(Problem("holds no poses", Place(source_of(path))))
+        raise (
+            bad.error("no row can be read", "")
+            if bad.count
+            else FileError(Problem("holds no poses", Place(source.name)))
+        )
     table = joined(blocks)
     try:
         found = follow(
@@ -54,10 +58,10 @@ def follow_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[Pr
             parameters=wanted.lengths,
         )
     except RobotError as error:
-        raise FileError([Problem(p.message, Place(source_of(path)), p.hint) for p in error.problems]) from None
-    joints = Group.named("q", {name: name for name in wanted.robot.variables})
-    with delivery.open(Layout((INDEX, joints))) as sink:
+        raise FileError([Problem(p.message, Place(source.name), p.hint) for p in error.problems]) from None
+    with delivery.open(joint_layout(wanted.robot.variables)) as sink:
         sink.write(found.numbered(places))
+    bad.tell(len(places))
     _tell(places, found.jumps, "the arm jumps to another branch before")
     _tell(places, found.singular, "the arm is singular, or nearly, at")
     _tell(places, found.lost, "out of reach, and without a row:")

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, cast
 
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.given import lengths_of, point_of, values_of
+from dhcli.cli.shell.wishes import Goal
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean, plural
 from dhcli.frozen import frozen
 from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw, euler
@@ -18,6 +19,7 @@ from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.forward import numeric_pose
 from dhcli.kinematics.frames import ends
 from dhcli.kinematics.inverse.answer import InverseKinematics
+from dhcli.kinematics.moves import Fixed
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.transform import Wanted, compose, read_product
@@ -39,32 +41,12 @@ _POINT = regex(
 )
 """Three values with commas, or three numbers with blanks: no move and no matrix."""
 
+_DECIMALS, _NOT_PLAIN = regex(r"\.([0-9]+)"), regex(r"[0-9] *(?:[mci]|e[-+]?[0-9])")
+"""The decimals of a number; a number with a unit or a power of ten, whose decimals count otherwise."""
+
 Rows = tuple[tuple[float, ...], ...]
 
 _IN_NUMBERS = "a pose to reach is in numbers; --derive gives the formulas in letters"
-
-
-@frozen
-class Goal:
-    """The options that say a pose, as they were typed, where it is not that of joint values.
-
-    Attributes:
-        target: Moves or a matrix.
-        position: Where the origin is.
-        rpy: Roll, pitch and yaw.
-        quaternion: A quaternion.
-        euler: An order of three axes, and three angles.
-        pointing: Where z points to.
-        task: What of it counts.
-    """
-
-    target: str | None = None
-    position: str | None = None
-    rpy: str | None = None
-    quaternion: str | None = None
-    euler: str | None = None
-    pointing: str | None = None
-    task: str | None = None
 
 
 @frozen
@@ -79,6 +61,7 @@ class Question:
         end: The frame that is placed.
         lengths: Values of lengths and constant angles.
         remarks: What was taken for something else, such as a matrix of few decimals for the nearest rotation.
+        slack: By how much the decimals of a typed matrix leave an entry open; 0 where it is exact.
     """
 
     robot: Robot
@@ -88,6 +71,7 @@ class Question:
     end: str
     lengths: Mapping[str, Value]
     remarks: tuple[str, ...] = ()
+    slack: float = 0.0
 
     def answered(self, found: Solutions, near: Sequence[float] | None, *, why: bool) -> InverseKinematics:
         """The question with its answer, and with how that came about if it is wanted."""
@@ -116,8 +100,8 @@ def asked(
     first, last = ends(robot, chosen.from_, chosen.end)
     lengths = lengths_of(robot, chosen)
     task = task_of(goal)
-    rows, remarks = _rows(robot, goal, chosen, (first, last))
-    return Question(robot, rows, cast("TaskName", task), first, last, lengths, remarks)
+    rows, remarks, slack = _rows(robot, goal, chosen, (first, last))
+    return Question(robot, rows, cast("TaskName", task), first, last, lengths, remarks, slack)
 
 
 def task_of(goal: Goal) -> str:
@@ -136,8 +120,8 @@ def task_of(goal: Goal) -> str:
     return "orientation" if turned else "pose"
 
 
-def _rows(robot: Robot, goal: Goal, chosen: Chosen, frames: tuple[str, str]) -> tuple[Rows, tuple[str, ...]]:
-    """The matrix, and what in it was taken for something else."""
+def _rows(robot: Robot, goal: Goal, chosen: Chosen, frames: tuple[str, str]) -> tuple[Rows, tuple[str, ...], float]:
+    """The matrix, what in it was taken for something else, and by how much its decimals leave an entry open."""
     parts = (goal.position, goal.rpy, goal.quaternion, goal.euler, goal.pointing)
     ways = [chosen.stands, goal.target is not None, any(p is not None for p in parts)]
     if sum(ways) != 1:
@@ -146,13 +130,13 @@ def _rows(robot: Robot, goal: Goal, chosen: Chosen, frames: tuple[str, str]) -> 
             said, "one of --q, --pose, --target, or --position with --rpy, --quaternion, --euler or --pointing"
         )
     if ways[0]:
-        return numeric_pose(robot, values_of(robot, chosen), *frames).rows, ()
+        return numeric_pose(robot, values_of(robot, chosen), *frames).rows, (), 0.0
     if goal.target is not None:
         return _target(goal.target, chosen.robot)
-    return _from_parts(goal, chosen.bare), ()
+    return _from_parts(goal, chosen.bare), (), 0.0
 
 
-def _target(text: str, typed: str) -> tuple[Rows, tuple[str, ...]]:
+def _target(text: str, typed: str) -> tuple[Rows, tuple[str, ...], float]:
     from dhcli.files.reading import read_text, source_of
 
     place = Place("--target")
@@ -171,7 +155,10 @@ def _target(text: str, typed: str) -> tuple[Rows, tuple[str, ...]]:
     if pose.is_symbolic:
         _known([cast("Expr", entry) for row in pose.rows for entry in row], place)
         pose = pose.in_numbers()
-    return cast("Pose[float]", pose).rows, product.remarks
+    is_matrix = len(product.moves) == 1 and isinstance(product.moves[0], Fixed)
+    decimals = max((len(found[1]) for found in _DECIMALS.finditer(text)), default=0)
+    slack = 0.5 * 10.0**-decimals if is_matrix and decimals and not _NOT_PLAIN.search(text) else 0.0
+    return cast("Pose[float]", pose).rows, product.remarks, slack
 
 
 def _from_parts(goal: Goal, bare: Bare) -> Rows:

@@ -9,13 +9,16 @@ from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING, cast
 
+from dhcli.cli.shell.batch import BadRows
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.console import say
 from dhcli.cli.shell.given import lengths_of, robot_of
-from dhcli.cli.shell.goal import Goal, task_of
+from dhcli.cli.shell.goal import task_of
+from dhcli.cli.shell.many import ManyPoses, check_alone
 from dhcli.cli.shell.pose_wish import PoseWish
 from dhcli.cli.shell.rows import RowDelivery
 from dhcli.cli.shell.solutions import held_of, near_of
+from dhcli.cli.shell.wishes import Goal, Which
 from dhcli.errors import (
     DhcliError,
     ExitStatus,
@@ -27,12 +30,11 @@ from dhcli.errors import (
     did_you_mean,
     plural,
 )
-from dhcli.files.reading import source_of
+from dhcli.files.rows.source import Source, open_source
 from dhcli.frozen import frozen
 from dhcli.kinematics.frames import ends
 from dhcli.kinematics.inverse.batch import numbered
-from dhcli.render.code.pose_rows import INDEX
-from dhcli.render.code.rows import Group, Layout
+from dhcli.render.code.layouts import joint_layout
 from dhcli.render.paper import Paper
 from dhcli.render.text.problems import warning_line
 from dhcli.render.text.progress import row_progress
@@ -44,34 +46,17 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.batch import Each
     from dhcli.kinematics.inverse.tasks import TaskName
 
-    Poses = tuple[NDArray[np.float64], list[int]]
+    Poses = tuple[NDArray[np.float64], Sequence[int]]
 
 
-MOST_BAD = 8
-"""Rows left out that are named; of more, it is told how many."""
-
-
-def check_rows(typed: str, path: str, others: Mapping[str, object]) -> None:
-    """Make sure that nothing is asked for that a row cannot have.
-
-    Raises:
-        DhcliError: One of the others is given, or robot and rows both come from standard input.
-    """
-    if path == typed == "-":
-        raise DhcliError("the robot and the rows cannot both come from standard input", "save one of them in a file")
-    if given := [option for option, value in others.items() if value]:
-        verb = "does" if len(given) == 1 else "do"
-        raise DhcliError(f"{' and '.join(given)} {verb} not go with --in", "each row is a pose")
-
-
-def inverse_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[Problem] | None = None) -> int:
+def inverse_rows(wanted: PoseWish, source: Source, delivery: RowDelivery, bad: BadRows) -> int:
     """Solve each pose of a file, and hand the joint values over as they come.
 
     Args:
         wanted: What is wanted of each pose.
-        path: The file; `-` for standard input.
+        source: The file.
         delivery: Where the joint values go.
-        bad: Where rows that are no pose are noted and left out; without it the first of them is an error.
+        bad: Takes rows that are no pose.
 
     Returns:
         How many poses have no solution.
@@ -79,13 +64,12 @@ def inverse_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[P
     Raises:
         FileError: The file cannot be read, or a row is no pose.
     """
-    joints = Group.named("q", {name: name for name in wanted.robot.variables})
-    blocks, jobs = wanted.blocks(path, bad), wanted.workers(path)
+    poses, jobs = wanted.poses(source, bad), wanted.workers(source)
     total, lost, said = 0, 0, ""
     with (
-        delivery.open(Layout((INDEX, joints))) as sink,
+        delivery.open(joint_layout(wanted.robot.variables)) as sink,
         row_progress(sys.stderr, wanted=delivery.is_away) as tell,
-        closing(_shared(partial(_solved, wanted, source_of(path), sink.spell), blocks, jobs)) as outcomes,
+        closing(_shared(partial(_solved, wanted, source.name, sink.spell), poses, jobs)) as outcomes,
     ):
         for outcome in outcomes:
             if not isinstance(outcome, _Rows):
@@ -97,7 +81,10 @@ def inverse_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[P
                 sink.take(outcome.spelled, outcome.count)
             if not sink.wanted:
                 return lost
-            tell(total, None)
+            tell(total, source.share)
+        if bad.count and not total:
+            raise bad.error("no row can be read", "")
+    bad.tell(total)
     paper = Paper.of(sys.stderr)
     if said:
         say(warning_line(said, paper))
@@ -154,84 +141,70 @@ def _solved(
     return _Rows(len(poses), lost, len(q), spell(numbered(places, index, q)), wanted.said(poses))
 
 
-@frozen
-class RowWish:
-    """The options about many poses, as they were typed; see `ik`."""
-
-    path: str | None
-    each: str | None
-    task: str | None
-    near: str | None
-    hold: Sequence[str]
-    within_limits: bool
-    follow: bool
-    skip_bad: bool
-    jobs: int | None
-
-
-def _check_follow(wish: RowWish) -> None:
+def _check_follow(which: Which, many: ManyPoses) -> None:
     """Make sure that a path can be followed as asked."""
-    if wish.each is not None or wish.within_limits:
-        other = "--each" if wish.each is not None else "--within-limits"
+    if many.each is not None or which.within_limits:
+        other = "--each" if many.each is not None else "--within-limits"
         raise DhcliError(f"--follow gives one solution of each row, whatever {other} says", f"leave {other} out")
-    if wish.jobs is not None and wish.jobs > 1:
+    if many.jobs is not None and many.jobs > 1:
         raise DhcliError("--follow goes from row to row, so that nobody can share them", "leave --jobs out")
-    if wish.near is None:
+    if which.near is None:
         raise DhcliError("a path needs joint values to begin near to", "give --near VALUES; they choose the branch")
+
+
+def _each(which: Which, many: ManyPoses) -> Each:
+    """Which solutions of each pose are wanted."""
+    each = many.each or "all"
+    if each not in {"all", "nearest", "first"}:
+        hint = did_you_mean(each, ("all", "nearest", "first")) or "all, nearest or first"
+        raise UnknownNameError(Problem(f"there is no {each} of solutions", Place("--each"), hint))
+    if each == "nearest" and which.near is None:
+        raise DhcliError("nearest to what?", "give --near VALUES")
+    return cast("Each", each)
 
 
 def solve_rows(
     chosen: Chosen,
-    wish: RowWish,
+    task: str | None,
+    which: Which,
+    many: ManyPoses,
     others: Mapping[str, object],
-    format_: str | None,
-    output: str | None,
-    *,
-    overwrite: bool,
+    delivery: RowDelivery,
 ) -> ExitStatus:
     """Solve each pose of a file.
 
     Raises:
         DhcliError: There is no file, an option does not go with it, or a row is no pose.
     """
-    if wish.path is None:
+    path = many.path
+    if path is None:
         raise DhcliError("--each, --follow, --skip-bad and --jobs are for many poses", "name their file with --in FILE")
-    if wish.follow:
-        _check_follow(wish)
-    each = wish.each or "all"
-    if each not in {"all", "nearest", "first"}:
-        hint = did_you_mean(each, ("all", "nearest", "first")) or "all, nearest or first"
-        raise UnknownNameError(Problem(f"there is no {each} of solutions", Place("--each"), hint))
-    if each == "nearest" and wish.near is None:
-        raise DhcliError("nearest to what?", "give --near VALUES")
-    check_rows(chosen.robot, wish.path, others)
-    delivery = RowDelivery(format_, output, overwrite)
+    if many.follow:
+        _check_follow(which, many)
+    each = _each(which, many)
+    check_alone(path, chosen.robot, others, option="--in", instead="each row is a pose")
     delivery.chosen()
     robot = robot_of(chosen)
-    task = None if wish.task is None else task_of(Goal(task=wish.task))
+    wanted_task = None if task is None else task_of(Goal(task=task))
     low, high = ends(robot, chosen.from_, chosen.end)
     lengths = lengths_of(robot, chosen)
-    near = near_of(robot, wish.near, chosen.bare)
-    held = held_of(robot, wish.hold, chosen.bare)
+    near = near_of(robot, which.near, chosen.bare)
+    held = held_of(robot, which.hold or [], chosen.bare)
     wanted = PoseWish(
         robot,
-        cast("TaskName | None", task),
-        cast("Each", each),
+        cast("TaskName | None", wanted_task),
+        each,
         near,
         held,
-        wish.within_limits,
+        which.within_limits,
         low,
         high,
         lengths,
-        wish.jobs,
+        many.jobs,
     )
-    bad: list[Problem] | None = [] if wish.skip_bad else None
     solve = inverse_rows
-    if wish.follow:
+    if many.follow:
         from dhcli.cli.shell.follow_rows import follow_rows as solve  # few follow a path
-    lost = solve(wanted, wish.path, delivery, bad)
-    for problem in (bad or [])[:MOST_BAD]:
-        say(warning_line(f"skipped {problem}", Paper.of(sys.stderr)))
-    if bad and len(bad) > MOST_BAD:
-        say(warning_line(f"skipped {len(bad)} rows in all", Paper.of(sys.stderr)))
+    with open_source(path) as source:
+        lost = solve(wanted, source, delivery, BadRows(path, skip=many.skip_bad))
     return ExitStatus.NOT_RIGHT if lost else ExitStatus.DONE

@@ -28,7 +28,7 @@ def view_of(robot: Robot, chosen: Chosen, axes: str | None, at: str | None, opti
         DhcliError: There is no such frame, or the point cannot be read.
     """
     if axes is not None and (axes == "-" or "." in axes):
-        hint = f"rows of a file: dhcli jacobian {robot.name} --rows {axes}"
+        hint = f"rows of a file: dhcli jacobian {robot.typed} --rows {axes}"
         if option == "--at":  # of rates and torques, which go by one Jacobian
             hint = f"one pose is taken: --q VALUES; a Jacobian for each of the {hint}"
         raise DhcliError(f"--in {axes} is no frame: it says along which axes", hint)

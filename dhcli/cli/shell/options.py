@@ -28,6 +28,16 @@ RobotName: TypeAlias = Annotated[
 ]
 
 
+AnyName: TypeAlias = Annotated[
+    str,
+    typer.Argument(
+        metavar="NAME",
+        help="A robot, a linkage or an exercise, a YAML or URDF file, or - for a robot on stdin.",
+        autocompletion=complete_robot,
+    ),
+]
+
+
 def complete_exercise(incomplete: str) -> list[str]:
     """Names of exercises that begin like this, with their folder or without; reads no file."""
     from dhcli.files.library.lookup import Kind, entries
@@ -54,59 +64,9 @@ Variant: TypeAlias = Annotated[
 ]
 
 
-def format_option(*names: str) -> Any:  # noqa: ANN401  what typer makes of an option
-    """`--format` for the formats that a command has, with completion."""
-    listed = f"{', '.join(names[:-1])} or {names[-1]}"
-
-    def complete(incomplete: str) -> list[str]:
-        return [name for name in names if name.startswith(incomplete)]
-
-    return typer.Option(
-        "--format", metavar="NAME", help=f"{listed}.", rich_help_panel="Output", autocompletion=complete
-    )
-
-
-def file_to_write(path: str | None) -> str | None:
-    """A file to write as it was typed.
-
-    Raises:
-        FileError: Its name is empty, which would pass for an option that is not given.
-    """
-    if path != "":
-        return path
-    from dhcli.errors import FileError, Place, Problem
-    from dhcli.storage.atomic import EMPTY
-
-    raise FileError(Problem(EMPTY, Place("-o"), "name a file"))
-
-
-def output_option(*suffixes: str) -> Any:  # noqa: ANN401  the same
-    """`-o` for the files that a command writes."""
-    return typer.Option(
-        "-o",
-        "--output",
-        metavar="FILE",
-        callback=lambda path: None if path == "-" else file_to_write(path),  # standard output, as - is standard input
-        help=f"Write to a file; {' '.join(suffixes)} choose the format.",
-        rich_help_panel="Output",
-    )
-
-
-Format: TypeAlias = Annotated[str | None, format_option("table", "json", "latex", "matlab", "numpy", "csv", "sympy")]
-Digits: TypeAlias = Annotated[
-    int | None, typer.Option(min=0, max=15, metavar="N", help="Decimals to show.", rich_help_panel="Output")
-]
-Spelling: TypeAlias = Annotated[
-    str | None,
-    typer.Option("--style", metavar="NAME", help="short writes c1, full writes cos(theta1).", rich_help_panel="Output"),
-]
-Output: TypeAlias = Annotated[str | None, output_option(".json", ".tex", ".m", ".py", ".csv", ".txt")]
 WHERE = "Where and what"
 """Heading of the options that choose frames and points."""
 
-Overwrite: TypeAlias = Annotated[
-    bool, typer.Option("--overwrite", help="Overwrite the file.", rich_help_panel="Output")
-]
 Settings: TypeAlias = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="NAME=VALUE", help="Value of a length or constant angle; repeatable."),
@@ -185,50 +145,7 @@ def _robot_of(ctx: typer.Context) -> Robot | None:
         return None
 
 
-MANY = "Many rows"
-"""Heading of the options about files with a row for each result."""
-
-SkipBad: TypeAlias = Annotated[
-    bool, typer.Option("--skip-bad", help="Go on without bad rows, list them, and end with 0.", rich_help_panel=MANY)
-]
-IgnoreColumns: TypeAlias = Annotated[
-    bool, typer.Option("--ignore-columns", help="Leave columns aside that are no joint.", rich_help_panel=MANY)
-]
-Index: TypeAlias = Annotated[
-    bool,
-    typer.Option("--index", help="First column: where the row stands in FILE, as in errors.", rich_help_panel=MANY),
-]
-RowJobs: TypeAlias = Annotated[int | None, jobs_option(MANY)]
-
-# What commands about a robot in motion have.
 Symbolic: TypeAlias = Annotated[bool, typer.Option("--symbolic", "-s", help="Keep what has no value as symbols.")]
-LANGUAGES = ("python", "numpy", "c", "matlab", "julia", "javascript")
-"""Languages in which a function can be written."""
-
-
-def complete_language(incomplete: str) -> list[str]:
-    """Languages that begin with what was typed."""
-    return [name for name in LANGUAGES if name.startswith(incomplete)]
-
-
-Code: TypeAlias = Annotated[
-    str | None,
-    typer.Option(
-        "--code",
-        metavar="LANGUAGE",
-        help=f"A function that runs: {', '.join(LANGUAGES[:-1])} or {LANGUAGES[-1]}.",
-        rich_help_panel="Output",
-        autocompletion=complete_language,
-    ),
-]
-WithValues: TypeAlias = Annotated[
-    bool,
-    typer.Option(
-        "--with-values",
-        help="With --code: the robot's lengths as numbers, not as arguments.",
-        rich_help_panel="Output",
-    ),
-]
 Untried: TypeAlias = Annotated[bool, typer.Option("--yes", help="Show parts that were never tried, too.")]
 Let: TypeAlias = Annotated[bool, typer.Option("--let", help="Give names to long or repeated brackets.")]
 Axes: TypeAlias = Annotated[

@@ -39,15 +39,13 @@ def draw_over(marked: SheetMark, answers: Mapping[str, str], path: str, *, overw
         FileError: The file cannot be written.
     """
     from dhcli.cli.shell.console import tell
-    from dhcli.render.pictures.picture import format_of
-    from dhcli.storage.atomic import write_whole
+    from dhcli.cli.shell.pictures import write_picture
 
     parts = sorted(marked.parts, key=lambda one: one.mark.verdict.passed is True)
     for one in parts:
         picture = _picture(marked.exercise, one.part, answers, is_right=one.mark.verdict.passed is True)
         if picture is not None:
-            write_whole(path, picture.rendered(format_of(path)), overwrite=overwrite)
-            tell(f"wrote {path}: part {one.part.id}")
+            write_picture(picture, path, overwrite=overwrite, of=f"part {one.part.id}")
             return
     tell(f"dhcli: nothing was drawn: no answer that can be read says where frames are ({NO_FRAME})")
 

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dhcli.cli.shell.options import workers
 from dhcli.errors import Place, Problem, RobotError
-from dhcli.files.reading import source_of
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot, Value
 
@@ -17,6 +15,9 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from dhcli.cli.shell.batch import BadRows
+    from dhcli.files.rows.blocks import Block
+    from dhcli.files.rows.source import Source
     from dhcli.kinematics.inverse.batch import Each
     from dhcli.kinematics.inverse.tasks import TaskName
 
@@ -52,23 +53,46 @@ class PoseWish:
     lengths: Mapping[str, Value]
     jobs: int | None = None
 
-    def workers(self, path: str) -> int:
+    def workers(self, source: Source) -> int:
         """How many share the poses of a file; of standard input nobody knows how many there are."""
-        size = 0
-        with suppress(OSError):  # told when it is opened
-            size = Path(path).stat().st_size
-        return workers(self.jobs, 1 + size // _BYTES)
+        return workers(self.jobs, 1 + (source.size or 0) // _BYTES)
 
-    def blocks(self, path: str, bad: list[Problem] | None) -> Iterator[tuple[NDArray[np.float64], list[int]]]:
-        """The poses of a file, block by block, and where each stands; those that are none are noted, where they may be.
+    def poses(self, source: Source, bad: BadRows) -> Iterator[tuple[NDArray[np.float64], Sequence[int]]]:
+        """The poses of a file, block by block, and where each stands.
 
         Raises:
-            FileError: The file cannot be read, or a row is no pose.
+            FileError: The file cannot be read, or a row is no pose and may not be left out.
         """
-        from dhcli.files.rows.poses import pose_blocks
+        from dhcli.files.rows.poses import pose_rows
 
-        for poses, places in pose_blocks(path, bad, whole=self.task is None):
-            yield (poses, places) if bad is None else rotations(poses, places, path, bad)
+        found = pose_rows(source, whole=self.task is None)
+        for block in found.blocks():
+            bad.take(block.bad, block.bad_rows)
+            poses, rows, others = self._rotations(block, found.place_of)
+            bad.take(others, len(others))
+            if len(poses):
+                yield poses, rows
+
+    def _rotations(
+        self, block: Block, place_of: Callable[[int], Place]
+    ) -> tuple[NDArray[np.float64], Sequence[int], list[Problem]]:
+        """The rows of a block that are poses, and what is wrong with the others."""
+        from dhcli.kinematics.inverse.targets import read_targets
+        from dhcli.kinematics.inverse.tasks import task_called
+
+        poses, rows, task = block.values, block.rows, task_called(self.task_of(block.values))
+        with suppress(RobotError):
+            read_targets(poses, task)
+            return poses, rows, []
+        kept, problems = [], list[Problem]()
+        for k, row in enumerate(rows):
+            try:
+                read_targets(poses[k], task)
+            except RobotError as error:
+                problems += [Problem(p.message, place_of(row), p.hint) for p in error.problems[:1]]
+            else:
+                kept.append(k)
+        return poses[kept], [rows[k] for k in kept], problems
 
     def task_of(self, poses: NDArray[np.float64]) -> TaskName:
         """What of the poses of a file counts."""
@@ -105,22 +129,3 @@ class PoseWish:
 
         seen = {"start": self.start, "end": self.end}
         return said_of_many(self.robot, task=self.task_of(poses), hold=self.hold, parameters=self.lengths, **seen)
-
-
-def rotations(
-    poses: NDArray[np.float64], places: list[int], path: str, bad: list[Problem]
-) -> tuple[NDArray[np.float64], list[int]]:
-    """The rows of a block that are poses; the others are noted."""
-    from dhcli.kinematics.inverse.targets import read_targets
-    from dhcli.kinematics.inverse.tasks import task_called
-
-    task = task_called("pose" if poses.ndim == 3 else "position")  # noqa: PLR2004  matrices
-    kept = []
-    for k in range(len(poses)):
-        try:
-            read_targets(poses[k], task)
-        except RobotError as error:
-            bad += [Problem(p.message, Place(source_of(path), places[k]), p.hint) for p in error.problems]
-        else:
-            kept.append(k)
-    return poses[kept], [places[k] for k in kept]

@@ -11,53 +11,21 @@ from dhcli.checking.marked import SheetMark
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Verdict
 from dhcli.cli.shell.chosen import Chosen
+from dhcli.cli.shell.wishes import Goal, Near, RobotQuestion
 from dhcli.errors import DhcliError, ExitStatus, Place, Problem, UnknownNameError, did_you_mean
-from dhcli.frozen import frozen
 
 if TYPE_CHECKING:
-    from dhcli.cli.shell.goal import Goal
     from dhcli.kinematics.robot import Robot
 
 PLAIN_FORMS = ("rpy", "quaternion", "axis-angle", "rotation-vector")
 
 
-@frozen
-class RobotOptions:
-    """The options of `fk` that turn a robot into a question.
-
-    Attributes:
-        chosen: The robot, its joint values and the frames.
-        symbolic: Whether symbols are asked for.
-        table: The file with a DH table to compare; its convention is the one asked for.
-        frames: The file with frames, or with their table, that are to lie on the robot's axes.
-        form: What of the pose is answered, or how: position, rotation, rpy, zyz, quaternion and so on.
-        entry: Row and column of the one entry that is answered.
-        compare: How the table is compared.
-        goal: The pose that joint values are asked for, if they are.
-        which: Which of them: all, or the words of a branch; any where nothing is said.
-    """
-
-    chosen: Chosen
-    symbolic: bool = False
-    table: str | None = None
-    frames: str | None = None
-    form: str | None = None
-    entry: str | None = None
-    compare: str | None = None
-    goal: Goal | None = None
-    which: str = ""
-
-    @property
-    def given(self) -> bool:
-        """Whether any of them was typed."""
-        return self.chosen.more or self != RobotOptions(self.chosen)
-
-
-def exercise_of(asked: RobotOptions, answer: str = "") -> tuple[Exercise, str]:
+def exercise_of(chosen: Chosen, asked: RobotQuestion, answer: str = "") -> tuple[Exercise, str]:
     """The exercise of a name, or a question about the robot of that name, and the table or the frames to compare.
 
     Args:
-        asked: What is answered, and the question about it where it is a robot.
+        chosen: The exercise, or the robot with its joint values and frames.
+        asked: The question about it where it is a robot.
         answer: The answer; where nothing says what of a pose it is, its shape does.
 
     Raises:
@@ -69,53 +37,57 @@ def exercise_of(asked: RobotOptions, answer: str = "") -> tuple[Exercise, str]:
     from dhcli.files.library.lookup import Kind
     from dhcli.files.yaml.exercises import load_exercise
 
-    name = asked.chosen.robot
+    name = chosen.robot
     if kind_of(name) is Kind.EXERCISES:
-        if asked.given:
+        if is_asked(chosen, asked):
             raise DhcliError(
                 f"{name} is an exercise and says itself what is asked", "leave --q, --symbolic and so on out"
             )
         return load_exercise(name), ""
     try:
-        robot = robot_of(asked.chosen)
+        robot = robot_of(chosen)
     except UnknownNameError as error:
         raise unknown(name, (Kind.ROBOTS, Kind.EXERCISES), error) from None
-    return _about(robot, asked, answer)
+    return _about(robot, chosen, asked, answer)
 
 
-def _about(robot: Robot, asked: RobotOptions, answer: str) -> tuple[Exercise, str]:
+def is_asked(chosen: Chosen, asked: RobotQuestion) -> bool:
+    """Whether anything was typed that asks something about a robot."""
+    return chosen.more or asked != RobotQuestion()
+
+
+def _about(robot: Robot, chosen: Chosen, asked: RobotQuestion, answer: str) -> tuple[Exercise, str]:
     from dhcli.checking.kinds.made import question_about, question_about_table, question_answered
     from dhcli.cli.shell.given import values_of
     from dhcli.kinematics.frames import ends
 
     if asked.goal is not None:
-        return _about_joints(robot, asked, asked.goal), ""
+        return _about_joints(robot, chosen, asked, asked.goal), ""
     if asked.table is not None:
         from dhcli.files.yaml.tables import read_table
 
         table = read_table(asked.table, robot)
         return question_about_table(robot, table.convention, _comparison(asked), table.note), table.text
     if asked.frames is not None:
-        return _about_frames(robot, asked, asked.frames)
+        return _about_frames(robot, chosen, asked, asked.frames)
     if asked.compare is not None:
         raise DhcliError("--compare says how a table is compared, and there is none", "--table FILE")
-    if not asked.symbolic and not asked.chosen.stands and robot.variables:
-        hint = f"dhcli check {robot.name} --q 0.3,... or --symbolic, and --answer '[...]'"
+    if not asked.symbolic and not chosen.stands and robot.variables:
+        hint = f"dhcli check {robot.typed} --q 0.3,... or --symbolic, and --answer '[...]'"
         raise DhcliError(f"{robot.name} is a robot: say at which joint values, or ask for symbols", hint)
-    values = values_of(robot, asked.chosen, symbolic=asked.symbolic)
-    start, end = ends(robot, asked.chosen.from_, asked.chosen.end)
+    values = values_of(robot, chosen, symbolic=asked.symbolic)
+    start, end = ends(robot, chosen.from_, chosen.end)
     asks = [f"{piece}pose {start}..{end}" for piece in _pieces(asked)]
     exercises = [question_about(robot, ask, numeric=not asked.symbolic, given=values) for ask in asks]
     return question_answered(exercises, answer), ""
 
 
-def _about_frames(robot: Robot, asked: RobotOptions, path: str) -> tuple[Exercise, str]:
+def _about_frames(robot: Robot, chosen: Chosen, asked: RobotQuestion, path: str) -> tuple[Exercise, str]:
     """A question about frames, and those of the file."""
     from dhcli.checking.kinds.made import question_about_frames
     from dhcli.cli.shell.given import lengths_of
     from dhcli.files.yaml.frames import read_frames
 
-    chosen = asked.chosen
     views = (chosen.q, chosen.from_, chosen.to, chosen.tool, asked.form, asked.entry, asked.compare)
     if asked.symbolic or any(view is not None for view in views):
         raise DhcliError("--frames asks for frames in a pose", "only --pose NAME and --set go with it")
@@ -124,7 +96,7 @@ def _about_frames(robot: Robot, asked: RobotOptions, path: str) -> tuple[Exercis
     return question_about_frames(robot, frames.convention, pose, frames.note, given), frames.text
 
 
-def _comparison(asked: RobotOptions) -> str:
+def _comparison(asked: RobotQuestion) -> str:
     """How a table is compared: as the same robot unless the options say otherwise."""
     from dhcli.checking.tables.comparing import COMPARED, SAME_ROBOT
 
@@ -134,7 +106,7 @@ def _comparison(asked: RobotOptions) -> str:
     return how
 
 
-def _about_joints(robot: Robot, asked: RobotOptions, goal: Goal) -> Exercise:
+def _about_joints(robot: Robot, chosen: Chosen, asked: RobotQuestion, goal: Goal) -> Exercise:
     """A question about the joint values that reach a pose."""
     from dhcli.checking.exercise import Exercise, Part
     from dhcli.checking.kinds.joints import JointsQuestion
@@ -143,17 +115,17 @@ def _about_joints(robot: Robot, asked: RobotOptions, goal: Goal) -> Exercise:
 
     if asked.table or asked.frames or asked.symbolic or asked.form or asked.entry:
         raise DhcliError("--ik asks for joint values", "leave --table, --frames, --symbolic, --as and --entry out")
-    question = pose_asked(robot, goal, asked.chosen)
+    question = pose_asked(robot, goal, chosen)
     if question.task not in TASKS:
         raise DhcliError(Problem(f"--ik checks no {question.task}", Place("--task"), ", ".join(TASKS)))
     target = given_target(question.task, question.pose, (question.start, question.end))
-    words = tuple(word.strip() for word in asked.which.split(",") if word.strip())
+    words = tuple(word.strip() for word in (asked.branch or "").split(",") if word.strip())
     which = "all" if words == ("all",) else "branch" if words else "any"
     part = Part("joints", JointsQuestion(target, which, words if which == "branch" else ()))
     return Exercise(robot.name, robot.title, robot.source, "", (part,), robot, question.lengths, numeric=True)
 
 
-def _pieces(asked: RobotOptions) -> tuple[str, ...]:
+def _pieces(asked: RobotQuestion) -> tuple[str, ...]:
     """What may be answered, as `ask:` begins with it."""
     from dhcli.geometry.euler import AXES
 
@@ -173,7 +145,7 @@ def _pieces(asked: RobotOptions) -> tuple[str, ...]:
     return (forms[asked.form],)
 
 
-def with_tolerance(exercise: Exercise, rotation: float | None, position: str | None, decimals: int | None) -> Exercise:
+def with_tolerance(exercise: Exercise, near: Near) -> Exercise:
     """The same exercise with other tolerances.
 
     Raises:
@@ -181,12 +153,12 @@ def with_tolerance(exercise: Exercise, rotation: float | None, position: str | N
         DhcliError: A tolerance is negative, or no number.
     """
     changes: dict[str, float | int] = {}
-    if rotation is not None:
-        changes["rotation"] = _not_negative("--tol-rotation", rotation)
-    if position is not None:
-        changes["position"] = _not_negative("--tol-position", _length(position))
-    if decimals is not None:
-        changes["decimals"] = decimals
+    if near.tol_rotation is not None:
+        changes["rotation"] = _not_negative("--tol-rotation", near.tol_rotation)
+    if near.tol_position is not None:
+        changes["position"] = _not_negative("--tol-position", _length(near.tol_position))
+    if near.decimals is not None:
+        changes["decimals"] = near.decimals
     if not changes:
         return exercise
 

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 
 from dhcli.cli.shell.console import raw_out, somebody_reads, tell, write_out
 from dhcli.cli.shell.delivery import check_free, check_overwrite
-from dhcli.cli.shell.endings import check_ending, format_by_ending
 from dhcli.errors import DhcliError, UnknownNameError, did_you_mean, plural
 from dhcli.frozen import frozen
 from dhcli.render.code.rows import FORMATS, Layout, RowText
+from dhcli.render.endings import check_ending, format_by_ending
 
 if TYPE_CHECKING:
     import numpy as np

@@ -7,8 +7,8 @@ from dataclasses import astuple, replace
 from typing import TYPE_CHECKING
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.goal import Goal
 from dhcli.cli.shell.joints import typed_joints
+from dhcli.cli.shell.wishes import Goal
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Robot

@@ -20,14 +20,14 @@ from dhcli.render.paper import Paper
 from dhcli.render.text.marks import question_text, sum_line, why_lines
 from dhcli.render.text.prose import prose_lines
 
-HELP = "An empty line ends a matrix or a table, and leaves a part. Besides answers: hint, why, back, skip, help."
+HELP = "An empty line ends a matrix or a table, and leaves a part. Besides answers: hint, why, back, skip, quit, help."
 COMMANDS = {
     "hint": "the next hint; ? is short for it",
     "why": "the slip behind your last answer, by its name",
     "skip": "leave this part and go on, as an empty line does",
     "back": "to the part before",
+    "quit": "ends, as exit, Ctrl-D and Ctrl-C do, and sums up",
     "help": "this list",
-    "Ctrl-D": "ends, as Ctrl-C does, and sums up",
 }
 ARROWS = "The arrow keys edit a line and bring back what you typed."
 AGAIN = "Try again, or go on with an empty line."
@@ -174,6 +174,8 @@ class _Walk:
             word = "" if line.strip() in self.judge.exercise.scope.names else line.strip().lower()
             if word in ("skip", "back"):
                 return Step.ON if word == "skip" else Step.BACK
+            if word in ("quit", "exit"):
+                return Step.END
             if word in ("?", "hint", "why", "help"):
                 self.tell(part, word)
                 continue

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from dhcli.errors import FileError, Place
+from dhcli.errors import FileError, Place, plural
 from dhcli.files.urdf.model import Joint
 from dhcli.files.urdf.robots import robot_of_joints
 from dhcli.files.yaml.fields import Fields, Problems
@@ -42,7 +42,7 @@ def read_kinematics(text: str, source: str, name: str, joints: str, *, as_typed:
     letters = joints or "R" * len(found)
     if len(letters) != len(found) or set(letters) - _KINDS.keys():
         hint = "a letter for each: R turns, P slides, F stands still"
-        problems.add(Place(source), f"{len(found)} joints, and --joints {joints}", hint)
+        problems.add(Place(source), f"{plural(len(found), 'joint')}, and --joints {joints}", hint)
     problems.raise_if_any(FileError)
     for joint, letter in zip(found, letters, strict=True):
         joint.kind = _KINDS[letter]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from dhcli.errors import FileError, NotationError, Place, Problem
+from dhcli.errors import FileError, NotationError, Place, Problem, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention, Row, calibrated_moves, moves_of
 from dhcli.kinematics.derived import Formula, circle, with_derived
@@ -80,7 +80,9 @@ def robot_of_rows(reader: Reader, rows: Sequence[RowText], whole: Whole, joints:
     """
     if joints and (len(joints) != len(rows) or set(joints) - set("RPF")):
         hint = "a letter for each: R turns, P slides, F stands still"
-        raise FileError(Problem(f"{len(rows)} rows, and --joints {joints}", rows[0].place if rows else None, hint))
+        raise FileError(
+            Problem(f"{plural(len(rows), 'row')}, and --joints {joints}", rows[0].place if rows else None, hint)
+        )
     made = [reader.row(row, i, joints[i - 1] if joints else row.kind) for i, row in enumerate(rows, 1)]
     if not reader.variables and not reader.problems:
         hint = "write theta1 in the column theta, or say what the rows are: --joints " + "R" * len(rows)

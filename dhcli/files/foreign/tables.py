@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from dhcli.errors import FileError, Place, Problem, did_you_mean
+from dhcli.errors import FileError, Place, Problem, did_you_mean, plural
 from dhcli.files.foreign.heads import Heads, cells_of, heads_of
 from dhcli.files.foreign.rows import Cell, RowText
 from dhcli.kinematics.conventions import COLUMNS
@@ -54,7 +54,7 @@ def _rows(text: str, source: str, heads: Heads, units: str) -> Iterator[RowText]
         cells = cells_of(line, heads.sign)
         place = Place(source, number, 1, line)
         if len(cells) != len(heads.columns):
-            message = f"{len(cells)} cells, and {len(heads.columns)} heads"
+            message = f"{plural(len(cells), 'cell')}, and {plural(len(heads.columns), 'head')}"
             raise FileError(Problem(message, place, "a row has a cell under each head; text with a comma needs quotes"))
         yield _row(cells, place, heads, units)
 

@@ -111,6 +111,25 @@ def find(kind: Kind, name: str) -> Path:
     raise UnknownNameError(f"there is no {kind.noun} '{name}'", hint=_hint(kind, name, known))
 
 
+def is_own(name: str) -> bool:
+    """Whether dhcli brings a robot of that name along."""
+    return any(entry.name == name and entry.origin == BUILT_IN for entry in entries(Kind.ROBOTS))
+
+
+def typed(name: str, path: Path | None) -> str:
+    """What is typed behind a command to mean a robot: its name, or its path where that leads to no or another file."""
+    if path is None or any(entry.path == path and not entry.shadowed for entry in entries(Kind.ROBOTS)):
+        return name
+    return typed_path(path)
+
+
+def typed_path(path: Path) -> str:
+    """A path as it is typed in a command, where it is no name."""
+    from shlex import quote  # for messages alone
+
+    return quote(str(path) if is_path(Kind.ROBOTS, str(path)) else f"./{path}")
+
+
 def full_id(name: str) -> str:
     """An id from its last part, where only one exercise ends so."""
     if "/" in name or name.endswith((".yaml", ".yml")) or name == "-":

@@ -128,13 +128,12 @@ def other_sign(line: str, sign: str, width: int) -> tuple[str, str]:
     return "", ""
 
 
-def read_cell(text: str, *, decimals: str, units_in_header: bool) -> float:
+def read_cell(text: str, *, decimals: str) -> float:
     """The number in a cell.
 
     Args:
         text: The cell.
         decimals: What may stand before decimals: a point, a comma, or either.
-        units_in_header: Whether the header may say a unit; else lengths are metres and angles radians.
 
     Raises:
         CellError: There is none, or it is not finite.
@@ -153,7 +152,7 @@ def read_cell(text: str, *, decimals: str, units_in_header: bool) -> float:
         raise CellError("is empty")
     if bare.lower() in _NO_NUMBERS:
         raise CellError(f"{shown(bare)} is not a finite number")
-    raise CellError(f"{shown(bare)} is not a number", _hint(bare, units_in_header=units_in_header))
+    raise CellError(f"{shown(bare)} is not a number", _hint(bare))
 
 
 def json_number(value: object) -> float:
@@ -212,13 +211,12 @@ def shown(text: str) -> str:
     return f"'{text}'" if len(text) <= _LONGEST else f"'{text[:_LONGEST]}...'"
 
 
-def _hint(text: str, *, units_in_header: bool) -> str:
+def _hint(text: str) -> str:
     if _COMMA.fullmatch(text):
         return f"write {text.replace(',', '.')}, with a point"
     if _GROUPED.fullmatch(text):
         whole, _, decimals = text.rpartition("." if text.rfind(".") > text.rfind(",") else ",")
         return f"write {re.sub('[.,]', '', whole)}.{decimals}: nothing stands between thousands"
     if (match := _UNIT.fullmatch(text)) and match["unit"] in UNITS:
-        in_header = f"the unit stands once, in the header: [{match['unit']}]"
-        return in_header if units_in_header else "write metres and radians, without their unit"
+        return f"the unit stands once, in the header: [{match['unit']}]"
     return "a cell is a plain number, such as -0.25 or 1e-3"

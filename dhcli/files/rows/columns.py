@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 from typing import TYPE_CHECKING
 
@@ -32,12 +32,14 @@ class JointColumns:
     """How a table holds the joint values of a robot.
 
     Attributes:
-        order: For each joint, its column; None for one that has none and stands still.
+        joints: The joints of the robot.
+        order: For each of them, its column; None for one that has none and stands still.
         factors: For each joint, what makes radians or metres of a number: a numerator and a denominator.
         width: How many columns there are, also of what is no joint.
         held: For each joint, where it stands if it has no column; radians or metres.
     """
 
+    joints: tuple[str, ...]
     order: tuple[int | None, ...]
     factors: tuple[tuple[float, float], ...]
     width: int
@@ -48,9 +50,14 @@ class JointColumns:
         """Whether each joint's numbers are taken as they are."""
         return tuple(factor == (1.0, 1.0) for factor in self.factors)
 
-    def names(self, joints: Sequence[str]) -> dict[int, str]:
+    @property
+    def names(self) -> dict[int, str]:
         """The joint of each column that is one's."""
-        return {k: joint for k, joint in zip(self.order, joints, strict=True) if k is not None}
+        return {k: joint for k, joint in zip(self.order, self.joints, strict=True) if k is not None}
+
+    def void(self, table: NDArray[np.float64]) -> tuple[Sequence[int], str]:
+        """No row."""
+        return (), ""
 
     def values(self, table: NDArray[np.float64]) -> NDArray[np.float64]:
         """Joint values in joint order, radians and metres.
@@ -91,7 +98,12 @@ class JointTable:
         """The joints that want a column."""
         return tuple(joint for joint in self.robot.joints if joint.name not in self.held)
 
-    def in_joint_order(self, width: int = 0) -> JointColumns:
+    @property
+    def wanted(self) -> tuple[str, ...]:
+        """Their names."""
+        return tuple(joint.name for joint in self.open)
+
+    def in_order(self, width: int = 0, _: Place | None = None) -> JointColumns:
         """The columns of a table without a header: the joints in their order, and then what is left aside, if it is.
 
         Args:
@@ -101,7 +113,7 @@ class JointTable:
         found = {joint.name: k for k, joint in enumerate(self.open)}
         return self._columns(found, factors, max(width, len(found)) if self.ignores else len(found))
 
-    def columns(self, heads: Sequence[str], places: Iterable[Place], whole: Place) -> JointColumns:
+    def columns(self, heads: Sequence[str], places: Sequence[Place], whole: Place) -> JointColumns:
         """The columns of a table with a header.
 
         Args:
@@ -121,7 +133,7 @@ class JointTable:
         names = {head.strip() for head in heads}
         aside = names & {INDEX, *(POSITION if names.issuperset(POSITION) else ())}
         for k, (head, place) in enumerate(zip(heads, places, strict=True)):
-            if (self.ignores or head.strip() in aside) and not self.is_joint(head):
+            if (self.ignores or head.strip() in aside) and not self.is_known(head):
                 continue
             try:
                 name, unit = name_and_unit(head, place)
@@ -146,7 +158,7 @@ class JointTable:
             raise FileError(problems)
         return self._columns(found, factors, len(heads))
 
-    def is_joint(self, head: str) -> bool:
+    def is_known(self, head: str) -> bool:
         """Whether the head of a column names a joint; with or without a unit."""
         match = _HEAD.fullmatch(head.strip())
         try:
@@ -174,6 +186,7 @@ class JointTable:
     ) -> JointColumns:
         names = self.robot.variables
         return JointColumns(
+            names,
             tuple(found.get(name) for name in names),
             tuple(factors.get(name, (1.0, 1.0)) for name in names),
             width,

@@ -1,4 +1,4 @@
-"""Joint values from CSV: a header or none, whatever separates the cells; whole blocks at once while all is well."""
+"""Rows from CSV: a header or none, whatever separates the cells; whole blocks at once while all is well."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.errors import FileError, Place, Problem, plural
-from dhcli.files.rows.blocks import Block, Sieve, cell_problem
+from dhcli.files.rows.blocks import Block, Columns, Sieve, Table, cell_problem, sifted
 from dhcli.files.rows.cells import (
     DECIMAL_BETWEEN,
     CellError,
@@ -21,8 +21,7 @@ from dhcli.files.rows.cells import (
     read_cell,
     sign_between,
 )
-from dhcli.files.rows.columns import JointColumns, JointTable
-from dhcli.files.rows.source import Source, text_blocks
+from dhcli.files.rows.source import Source, parted, text_blocks
 from dhcli.notation.quantity import UNITS
 from dhcli.regex import regex
 
@@ -37,12 +36,19 @@ class CsvRows:
     """Reads the rows of a CSV file.
 
     The first line is a header unless one of its cells is a number; without a header the columns are the joints in
-    their order. A line that begins with `#` says nothing, unless it is the first and names a joint. Between semicolons,
-    tabs or blanks a comma in a number is a decimal one.
+    their order. A line that begins with `#` says nothing, unless it is the first and names what is asked for. Between
+    semicolons, tabs or blanks a comma in a number is a decimal one.
     """
 
-    def __init__(self, source: Source, asked: JointTable) -> None:
-        """Read the joint values of a robot."""
+    def __init__(self, source: Source, asked: Table, most: int | None = None) -> None:
+        """Read a table.
+
+        Args:
+            source: Where it stands.
+            asked: What it is read for.
+            most: Rows of a block; by default as many as come in a piece.
+        """
+        self._most = most
         self._source = source
         self._asked = asked
         self._separator = ""
@@ -58,7 +64,7 @@ class CsvRows:
         Raises:
             FileError: The header is not that of a table for this robot, or the source cannot be read.
         """
-        columns: JointColumns | None = None
+        columns: Columns | None = None
         for first, text in text_blocks(self._source):
             line, body = first, text
             while columns is None and body:
@@ -70,36 +76,37 @@ class CsvRows:
                     if columns is not None and not is_header:
                         break
                 line, body = line + 1, rest
-            if columns is not None and body:
-                yield self._block(line, body, columns)
+            for start, part in parted(line, body, self._most):
+                if columns is not None:
+                    yield self._block(start, part, columns)
         if columns is None:
-            names = ",".join(joint.name for joint in self._asked.open)
+            names = ",".join(self._asked.wanted)
             raise FileError(Problem("is empty", Place(self._source.name), f"wanted: a header, {names}, and rows"))
 
-    def _columns(self, head: str, line: int) -> tuple[JointColumns | None, bool]:
+    def _columns(self, head: str, line: int) -> tuple[Columns | None, bool]:
         """What the first line says of the columns, nothing if it is a comment; and whether it is a header."""
         declared = self._separator
-        self._separator = declared or sign_between(head, len(self._asked.open))
+        self._separator = declared or sign_between(head, len(self._asked.wanted))
         is_comment = head.startswith("#")
         if is_comment:  # numpy.savetxt writes headers like this
             head = " " + head[1:]
         cells = cells_of(head, self._separator)
-        if is_comment and not any(self._asked.is_joint(cell) for _, cell in cells):
+        if is_comment and not any(self._asked.is_known(cell) for _, cell in cells):
             self._separator = declared
             return None, False
         if any(is_number(cell) for _, cell in cells):
-            return self._asked.in_joint_order(len(cells)), False
+            return self._asked.in_order(len(cells), self.place_of(line)), False
         if len(cells) > 1 and not cells[-1][1].strip():  # a separator at the end of each line
             cells.pop()
         self._heads = [cell.strip() for _, cell in cells]
         places = [Place(self._source.name, line, column, head) for column, _ in cells]
         return self._asked.columns(self._heads, places, self.place_of(line)), True
 
-    def _block(self, first: int, text: str, columns: JointColumns) -> Block:
+    def _block(self, first: int, text: str, columns: Columns) -> Block:
         count = text.count("\n")
         table = self._at_once(text, count, columns.width)
         if table is not None:
-            return Block(columns.values(table), range(first, first + count), columns.in_radians)
+            return sifted(table, range(first, first + count), columns, self.place_of)
         return self._line_by_line(first, text, columns)
 
     def _at_once(self, text: str, count: int, width: int) -> NDArray[np.float64] | None:
@@ -110,7 +117,7 @@ class CsvRows:
         table = plain_table(text, self._separator, width)
         return table if table is not None and len(table) == count and np.isfinite(table).all() else None
 
-    def _line_by_line(self, first: int, text: str, columns: JointColumns) -> Block:
+    def _line_by_line(self, first: int, text: str, columns: Columns) -> Block:
         """The same with an eye on every cell."""
         sieve = Sieve()
         for row, line in enumerate(text.split("\n")[:-1], first):
@@ -120,31 +127,32 @@ class CsvRows:
                 sieve.good(row, self._row(row, line, columns, text))
             except FileError as error:
                 sieve.refuse(error.problems)
-        q = columns.values(sieve.table(columns.width))
-        return Block(q, sieve.rows, columns.in_radians, tuple(sieve.bad), sieve.bad_rows)
+        return sieve.block(columns, self.place_of)
 
-    def _row(self, row: int, line: str, columns: JointColumns, text: str) -> list[float]:
+    def _row(self, row: int, line: str, columns: Columns, text: str) -> list[float]:
         """The numbers of a row, 0 where none is wanted.
 
         Raises:
             FileError: With all that is wrong.
         """
-        width, names = columns.width, columns.names(self._asked.robot.variables)
+        width = columns.width
         cells = cells_of(line, self._separator)
         if len(cells) == width + 1 and not cells[-1][1].strip():
             cells.pop()
         if len(cells) != width:
             message, hint = other_sign(line, self._separator, width)
             message = message or f"{plural(len(cells), 'cell')} in a table of {plural(width, 'column')}"
-            if not (hint or self._heads) and len(cells) > width:
-                hint = f"--ignore-columns takes the first {width} columns"
+            if line.count('"') % 2:
+                hint = "a quote is not closed"
+            elif not (hint or self._heads) and len(cells) > width:
+                hint = f"--ignore-columns takes the first {plural(width, 'column')}"
             raise FileError(Problem(message, Place(self._source.name, row, None, line), hint))
         decimals = decimals_in([cell for _, cell in cells], self._separator, text)
         values, problems = [0.0] * width, []
-        for k, name in names.items():
+        for k, name in columns.names.items():
             column, cell = cells[k]
             try:
-                values[k] = read_cell(cell, decimals=decimals, units_in_header=True)
+                values[k] = read_cell(cell, decimals=decimals)
             except CellError as error:
                 problems.append(cell_problem(name, error, Place(self._source.name, row, column, line)))
         if problems:

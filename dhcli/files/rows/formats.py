@@ -1,4 +1,4 @@
-"""Reading joint values from a file of any length: which format it has shows in its first bytes."""
+"""Reading rows from a file of any length: which format they have shows in its first bytes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from dhcli.files.rows.source import PIECE, Source
 
 
 class Rows(Protocol):
-    """Rows of joint values."""
+    """Rows."""
 
     def blocks(self) -> Iterator[Block]:
         """The rows, block by block, each read when it is asked for."""
@@ -34,18 +34,30 @@ def joint_rows(source: Source, asked: JointTable, threads: int = 1) -> Rows:
     Raises:
         FileError: It is called .npy and is something else.
     """
+    match format_of(source):
+        case "npy":
+            return NpyRows(source, asked, threads)
+        case "csv":
+            return CsvRows(source, asked)
+        case _:
+            from dhcli.files.rows.jsonrows import JsonRows  # json, which the others do not need
+
+            return JsonRows(source, asked)
+
+
+def format_of(source: Source) -> str:
+    """Which format rows have, as their first bytes show: csv, jsonl or npy.
+
+    Raises:
+        FileError: They are called .npy and are something else.
+    """
     beginning = _beginning(source)
     if beginning.startswith(MAGIC):
-        return NpyRows(source, asked, threads)
+        return "npy"
     if source.path.lower().endswith(".npy"):
         raise FileError(Problem("is no .npy file", Place(source.name), "np.save writes one"))
     is_json = beginning.removeprefix(b"\xef\xbb\xbf").lstrip()[:1] in (b"{", b"[")
-    is_named_json = source.path.lower().endswith((".jsonl", ".ndjson"))
-    if not is_json and not is_named_json:
-        return CsvRows(source, asked)
-    from dhcli.files.rows.jsonrows import JsonRows  # json, which the others do not need
-
-    return JsonRows(source, asked)
+    return "jsonl" if is_json or source.path.lower().endswith((".jsonl", ".ndjson")) else "csv"
 
 
 def _beginning(source: Source) -> bytes:

@@ -74,7 +74,7 @@ class JsonRows:
         try:
             rows = read_json(f"[{text}]")
             names = tuple(rows[0]) if begin == "{" else ()
-            columns = self._columns(names, Place("")) if names else self._asked.in_joint_order(len(rows[0]))
+            columns = self._columns(names, Place("")) if names else self._asked.in_order(len(rows[0]))
             # Twice as many quotes as names: no name comes twice in an object, and no value is text.
             if len(rows) != len(lines) or text.count('"') != 2 * len(names) * len(rows):
                 return None
@@ -104,7 +104,8 @@ class JsonRows:
             ways = zip(columns.order, columns.factors, columns.held, strict=True)
             sieve.good(row, [still if k is None else numbers[k] * up / down for k, (up, down), still in ways])
             in_radians = tuple(map(max, in_radians, columns.in_radians))
-        return Block(sieve.table(len(in_radians)), sieve.rows, in_radians, tuple(sieve.bad), sieve.bad_rows)
+        values = np.array(sieve.values, dtype=np.float64).reshape(-1, len(in_radians))
+        return Block(values, sieve.rows, in_radians, tuple(sieve.bad), sieve.bad_rows)
 
     def _row(self, line: str, place: Place) -> tuple[JointColumns, list[float]]:
         """The numbers of a row, in the order in which they stand.
@@ -118,7 +119,7 @@ class JsonRows:
             names, values = tuple(name for name, _ in pairs), [value for _, value in pairs]
             columns = self._columns(names, place)
         elif isinstance(row, list) and not any(isinstance(value, list | _Object) for value in row):
-            values, columns = row, self._asked.in_joint_order(len(row))
+            values, columns = row, self._asked.in_order(len(row))
             if len(values) != (wanted := columns.width):
                 message = (
                     f"{plural(len(values), 'number')} where {self._asked.robot.name} has {plural(wanted, 'joint')}"

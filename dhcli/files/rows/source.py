@@ -108,6 +108,17 @@ def text_blocks(source: Source) -> Iterator[tuple[int, str]]:
         yield line, decode(rest, source.name, before=(begun, line - 1)).rstrip("\n") + "\n"
 
 
+def parted(first: int, text: str, most: int | None) -> Iterator[tuple[int, str]]:
+    """A block of lines in shorter ones, each with the number of its first line; nothing where it is empty."""
+    if most is None or text.count("\n") <= most:
+        if text:
+            yield first, text
+        return
+    lines = text.split("\n")[:-1]
+    for k in range(0, len(lines), most):
+        yield first + k, "\n".join(lines[k : k + most]) + "\n"
+
+
 def _size_of(stream: BinaryIO) -> int | None:
     """The size of a regular file."""
     try:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from dhcli.algebra.floats import Floats
-from dhcli.errors import FileError, Problem
+from dhcli.errors import FileError, Problem, plural
 from dhcli.files.urdf.chains import chain_of
 from dhcli.files.urdf.model import Joint, read_model
 from dhcli.files.urdf.numbers import Meaning
@@ -203,9 +203,10 @@ class _Builder:
         text, degrees = rounded[0]
         tip = sum(shift * (sum(self.lengths[behind:]) + self.slides()) for shift, behind in self.shifts)
         moved = f"{tip * 1e6:.2g} µm" if tip < 1e-3 else f"{tip * 1e3:.2g} mm"  # noqa: PLR2004
+        count = f"{len(rounded)} of {plural(self.meaning.angles, 'angle')}"
         yield (
-            f"{len(rounded)} of {self.meaning.angles} angles are multiples of 15° rounded ({text} -> {degrees}°); "
-            f"the tip moves by at most {moved}; --as-typed keeps them"
+            f"taken for multiples of 15°: {count} ({text} -> {degrees}°); the tip moves by at most {moved}; "
+            "--as-typed keeps them"
         )
 
     def slides(self) -> float:

@@ -20,25 +20,30 @@ from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.named import Named
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
 from dhcli.files.yaml.tolerances import read_decimals
-from dhcli.files.yaml.typed import read_flag, read_texts, read_whole
+from dhcli.files.yaml.typed import MOST_DIGITS, read_flag, read_texts
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
 
-OF_ALL = (
-    "numeric",
-    "unit",
-    "tolerance",
-    "given",
-    "names",
-    "printed",
-    "feedback",
-    "variants",
-    "also",
-    "tests",
-    "picture",
+OF_ALL = dict.fromkeys(
+    (
+        "numeric",
+        "unit",
+        "tolerance",
+        "given",
+        "names",
+        "printed",
+        "feedback",
+        "variants",
+        "also",
+        "tests",
+        "picture",
+    ),
+    "it stands at the top of the file, and holds for all",
 )
 """Keys that stand at the top of a file and hold for all parts."""
+
+EXAMPLE = "{id: a1, ask: link 1}"
 
 
 @frozen
@@ -72,7 +77,7 @@ class PartReader:
     def part(self, node: PlacedNode, index: int) -> Part | None:
         """A part; None if there is no telling what it asks."""
         fields = self.problems.mapping(
-            node, "parts", known=names(PART), required=required(PART), above=OF_ALL, example="{id: a1, ask: link 1}"
+            node, "parts", known=names(PART), required=required(PART), elsewhere=OF_ALL, example=EXAMPLE
         )
         name, depends = fields.text("id"), read_texts(fields, "depends")
         self.check_id(fields, name, depends)
@@ -100,7 +105,9 @@ class PartReader:
         """Make sure that an id can be typed and is the only one, and that a part builds on what stands before it."""
         place = fields.place_of("id")
         if not all(letter.isalnum() or letter in "_-" for letter in name):
-            self.problems.add(place, f"id: '{name}' holds more than letters, digits, _ and -")
+            hint = "".join(letter if letter.isalnum() or letter in "_-" else "-" for letter in name).strip("-")
+            message = f"id: '{name}' holds more than letters, digits, _ and -"
+            self.problems.add(place, message, f"write {hint}" if hint else "write a1")
         if name and name in self.ids:
             self.problems.add(place, f"id: the id {name} is used twice", "each part has a name of its own")
         for other in depends:
@@ -159,18 +166,31 @@ class _Besides:
     fields: Fields
     ask: Place
 
+    def has(self, key: str) -> bool:
+        """Whether a key stands there."""
+        return key in self.fields
+
     def texts(self, key: str) -> tuple[str, ...]:
         """A list of texts."""
         return read_texts(self.fields, key)
 
-    def whole(self, key: str) -> int | None:
-        """A whole number."""
-        return read_whole(self.fields, key)
+    def one_of(self, key: str, count: int) -> int:
+        """Which of so many, counted from 1; 1 where it is none, which is told."""
+        scalar = self.fields.scalar(key)
+        typed = scalar.text if scalar else ""
+        if typed.isdecimal() and len(typed) <= MOST_DIGITS and 1 <= int(typed) <= count:
+            return int(typed)
+        if not count:
+            if "options" not in self.fields:
+                self.problems.add(self.fields.place, "options: is missing", "write options: [its axis, its origin]")
+        elif scalar or key not in self.fields:
+            letter = 1 + ord(typed.lower()) - ord("a") if len(typed) == 1 and typed.isascii() else 0
+            hint = f"write {letter}" if 1 <= letter <= count else f"write 1 to {count}"
+            said = f"'{typed}' is not the number of one of the {count} options, counted from 1"
+            place = scalar.place if scalar else self.fields.place
+            self.problems.add(place, f"{key}: {said if scalar else 'is missing'}", hint)
+        return 1
 
     def linkage(self, name: str) -> object | None:
         """The linkage of a name or a pattern; None if there is none, which is told."""
         return self.named.linkage("ask", self.ask, name)
-
-    def refuse(self, message: str, hint: str = "") -> None:
-        """Note what is wrong with the part."""
-        self.problems.add(self.fields.place, message, hint)

@@ -8,9 +8,11 @@ and `12:30` stay the texts they are, and whoever knows what belongs there reads 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, NoReturn, TypeAlias
+from dataclasses import replace
+from typing import TYPE_CHECKING, NoReturn, TypeAlias, TypeGuard
 
 from dhcli.errors import FileError, Place, Problem
+from dhcli.files.yaml.cut import is_open, is_piece, is_quoting, tell, whole, with_decimal_comma
 from dhcli.files.yaml.parser import events, import_yaml
 from dhcli.files.yaml.syntax import DEEPEST, TOO_DEEP, Mark, explain_syntax
 from dhcli.frozen import frozen
@@ -24,7 +26,6 @@ MOST_NODES = 20_000
 # What YAML 1.1 calls a line break; str.splitlines knows others, and the line numbers would drift apart.
 _LINE_BREAK = regex("\r\n|[\r\n\x85\u2028\u2029]")
 _MADE_BY_ESCAPE = regex("[\x00-\x09\x0b-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff]")
-_ENDS_IN_NUMBER = regex(r"[0-9]+,\Z")
 _UNREADABLE = regex("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
 """What YAML does not allow; it takes 8 ms to compile, when a line holds something odd."""
 
@@ -55,6 +56,10 @@ class PlacedScalar:
         if not self.place.text.startswith(self.text, start):
             return self.place
         return Place(self.place.source, self.place.line, start + offset + 1, self.place.text)
+
+    def with_piece(self, piece: PlacedScalar) -> PlacedScalar:
+        """The text with a piece that a comma has cut off it."""
+        return replace(self, text=whole(self.text, self.place, piece.text, piece.place))
 
 
 @frozen
@@ -122,13 +127,14 @@ def _refuse_foreign(text: str, source: str) -> None:
         raise FileError(told(form, source))
 
 
-def _with_decimal_comma(key: PlacedScalar) -> str:
-    """The number `0,3` of which YAML has made a value and a key that has none; empty if the key is no such."""
-    if key.quoted or not key.text[:1].isdecimal():
-        return ""
-    at = (key.place.column or 1) - 1
-    before, behind = _ENDS_IN_NUMBER.search(key.place.text[:at]), key.place.text[at + len(key.text) :].lstrip()
-    return before[0] + key.text if before is not None and behind[:1] in (",", "}") else ""
+def _is_plain(node: PlacedNode | None) -> TypeGuard[PlacedScalar]:
+    """Whether a node is a text without quotes."""
+    return isinstance(node, PlacedScalar) and not node.quoted
+
+
+def _goes_on(last: PlacedScalar, key: PlacedScalar) -> bool:
+    """Whether what YAML takes for a key is a piece of the value before it."""
+    return (is_open(last.text) or is_quoting(last.text)) and is_piece(key.text, key.place)
 
 
 class _Builder:
@@ -183,37 +189,57 @@ class _Builder:
         if isinstance(event, kinds.MappingStartEvent):
             return self.mapping(place, events, depth)
         if isinstance(event, kinds.SequenceStartEvent):
-            items: list[PlacedNode] = []
-            while not isinstance(item := next(events), kinds.SequenceEndEvent):
-                items.append(self.node(item, events, depth + 1))
-            return PlacedSequence(tuple(items), place)
+            return self.sequence(place, events, depth, is_flow=bool(event.flow_style))
         return self.scalar(event, place) if isinstance(event, kinds.ScalarEvent) else PlacedScalar("", place)
+
+    def sequence(self, place: Place, events: Iterator[yaml.Event], depth: int, *, is_flow: bool) -> PlacedSequence:
+        """Build a list; one in brackets may have cut a text."""
+        from yaml import events as kinds
+
+        items: list[PlacedNode] = []
+        while not isinstance(event := next(events), kinds.SequenceEndEvent):
+            item = self.node(event, events, depth + 1)
+            last = items[-1] if is_flow and items else None
+            if _is_plain(last) and _is_plain(item) and is_open(last.text):
+                items[-1] = self.put_together(last, item)
+            else:
+                items.append(item)
+        return PlacedSequence(tuple(items), place)
+
+    def put_together(self, last: PlacedScalar, piece: PlacedScalar, key: str = "") -> PlacedScalar:
+        """A text with the next piece of it, and one problem for all its pieces."""
+        found = last.with_piece(piece)
+        tell(self.problems, last.text, found.text, found.place, key)
+        return found
 
     def mapping(self, place: Place, events: Iterator[yaml.Event], depth: int) -> PlacedMapping:
         """Build a mapping; every key is a text and stands once."""
         from yaml import events as kinds
 
         entries: dict[str, tuple[PlacedScalar, PlacedNode]] = {}
+        owner, last = None, None
         while not isinstance(event := next(events), kinds.MappingEndEvent):
             key = self.node(event, events, depth + 1)
+            if owner and _is_plain(last) and _is_plain(key) and _goes_on(last, key):
+                last = self.put_together(last, key, owner.text)
+                entries[owner.text] = (owner, last)
+                self.node(next(events), events, depth + 1)
+                continue
             if not isinstance(key, PlacedScalar):
                 self.refuse(key.place, "a key cannot be a list or mapping", "text with brackets needs quotes")
             elif key.text == "<<" and not key.quoted:
                 self.refuse(key.place, "'<<' is a YAML merge key", "write the entries themselves")
             elif key.text == "" and not isinstance(event, kinds.AliasEvent):
                 self.refuse(key.place, "a key is missing before ':'")
-            elif whole := _with_decimal_comma(key):
-                self.refuse(
-                    key.place,
-                    f"{whole} has a decimal comma, which ends a value here",
-                    f"write {whole.replace(',', '.')}",
-                )
+            elif number := "" if key.quoted else with_decimal_comma(key.text, key.place):
+                message = f"{number} has a decimal comma, which ends a value here"
+                self.refuse(key.place, message, f"write {number.replace(',', '.')}")
             elif key.text in entries:
                 first = entries[key.text][0].place
                 self.refuse(key.place, f"{key.text}: stands twice, first on line {first.line}", "keep one")
             value = self.node(next(events), events, depth + 1)
-            if isinstance(key, PlacedScalar) and not _with_decimal_comma(key):
-                entries.setdefault(key.text, (key, value))
+            if isinstance(key, PlacedScalar) and (key.quoted or not with_decimal_comma(key.text, key.place)):
+                owner, last = entries.setdefault(key.text, (key, value))
         return PlacedMapping(tuple(entries.values()), place)
 
     def scalar(self, event: yaml.ScalarEvent, place: Place) -> PlacedScalar:

@@ -24,7 +24,7 @@ def robot_line(exercise: Exercise) -> str:
 
 def values_text(exercise: Exercise) -> Mapping[str, str]:
     """Every value that the right answers of an exercise are computed with, lengths in the unit of its sheet."""
-    unit = "" if exercise.unit == "none" else exercise.unit
+    unit = exercise.behind.strip()
     return {name: value_text(value, unit) for name, value in exercise.values.items()}
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from dhcli.errors import DhcliError, did_you_mean
-from dhcli.kinematics.conventions import ORDER, Convention
+from dhcli.errors import DhcliError
+from dhcli.kinematics.conventions import ORDER, Convention, convention_hint
 from dhcli.regex import regex
 
 MOST_JOINTS = 20
@@ -98,7 +98,7 @@ def _letters(joints: str) -> str:
 def _convention(word: str) -> Convention:
     known = [convention.value for convention in Convention]
     if word not in known:
-        raise DhcliError(f"there is no convention {word}", did_you_mean(word, known) or f"known: {', '.join(known)}")
+        raise DhcliError(f"there is no convention {word}", convention_hint(word, known))
     return Convention(word)
 
 

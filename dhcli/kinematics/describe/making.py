@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any, TypeVar, get_args
 
-from dhcli.errors import RobotError, UnknownNameError, did_you_mean
+from dhcli.errors import RobotError, UnknownNameError, did_you_mean, plural
 from dhcli.geometry.orthonormal import not_a_rotation
 from dhcli.geometry.vectors import ORIGIN, Vector, length
 from dhcli.kinematics.conventions import Convention
@@ -46,7 +46,9 @@ def from_screws(
         f"{letter}{i}" for i, letter in enumerate(letters, 1)
     )
     if len(named) != len(rows) or not rows:
-        raise RobotError(f"{len(named)} variables and {len(rows)} screws", "one variable for each screw")
+        raise RobotError(
+            f"{plural(len(named), 'variable')} and {plural(len(rows), 'screw')}", "one variable for each screw"
+        )
     end = _end(home)
     axes = tuple(ScrewAxis(label, omega, v) for label, (omega, v) in zip(named, rows, strict=True))
     drawing = Drawing(lines_of(axes, end, side), end)
@@ -59,7 +61,7 @@ def _six(row: object, number: int) -> tuple[Vector, Point]:
     """ω and v of one screw."""
     given = tuple_of(row, f"screw {number}", _A_SCREW)
     if len(given) != _SIX:
-        raise RobotError(f"screw {number}: {len(given)} numbers, not six", _A_SCREW)
+        raise RobotError(f"screw {number}: {plural(len(given), 'number')}, not six", _A_SCREW)
     exprs = [value_of(part, f"screw {number}", is_angle=False) for part in given]
     omega, v = (point_of(part) for part in (exprs[:3], exprs[3:]))  # type: ignore[arg-type]
     if set(omega) - {ONE}:

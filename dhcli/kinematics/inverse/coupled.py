@@ -51,7 +51,8 @@ def through(solve: Callable[..., Solutions], carried: Carried, T: ArrayLike | Po
             answer = leading.solutions(T, asked, carried.nearly(found.q))
         elif not carried.is_whole and not len(found):  # how near it comes is not known of the robot
             beyond = f"nor would it if each of its {len(carried.slopes)} moves had a drive of its own"
-            answer = replace(answer, why=leading.what_keeps(T) or f"the arm does not reach it, {beyond}")
+            why = leading.what_keeps(T) or f"the arm does not reach it, {beyond}"
+            answer = replace(answer, why=why, closest=leading.closest(T, asked))
     if not len(answer):
         return answer
     wish = None if near is None else in_numbers(robot, near)

@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 
 from dhcli.frozen import frozen
+from dhcli.kinematics.inverse.derive_levels import Equation
 from dhcli.kinematics.inverse.derive_rules import Step
+from dhcli.kinematics.inverse.derive_terms import name_of
 from dhcli.kinematics.robot import Robot
 
 
@@ -21,6 +23,7 @@ class Derivation:
         steps: The steps in order.
         proved: At how many random poses, with random lengths, the formulas were found to be right: every combination of
             signs that is real reaches the pose, and one of them is where it came from.
+        left: Entries of the pose that are to be checked besides, where the joints are too few to reach every pose.
     """
 
     robot: Robot
@@ -29,6 +32,13 @@ class Derivation:
     place_only: bool
     steps: tuple[Step, ...]
     proved: int = 0
+    left: tuple[Equation, ...] = ()
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """The joints that are found, in joint order."""
+        found = {name_of(step.atom) for step in self.steps}
+        return tuple(name for name in self.robot.variables if name in found)
 
     @property
     def branches(self) -> int:

@@ -9,7 +9,9 @@ from itertools import combinations, permutations
 
 from dhcli.errors import RobotError
 from dhcli.kinematics.frames import ends
+from dhcli.kinematics.inverse.arm import check_moves
 from dhcli.kinematics.inverse.derivation import Derivation
+from dhcli.kinematics.inverse.derive_checks import left_to_check
 from dhcli.kinematics.inverse.derive_levels import Equation, entries, squares
 from dhcli.kinematics.inverse.derive_points import VANISHES, Points, symbols_of_chain
 from dhcli.kinematics.inverse.derive_rules import (
@@ -47,16 +49,18 @@ def derive(robot: Robot, *, start: str | int | None = None, end: str | int | Non
 
     Raises:
         NoFormError: The rules do not find every joint, or what they find does not lead back to every pose tried.
+        RobotError: No joint moves the end.
         UnknownNameError: The robot has no such frame.
     """
     check_robot(robot)
     low, high = ends(robot, start, end)
+    check_moves(len(symbols_of_chain(robot, low, high).intersection(robot.variables)))
     for place_only in _tasks(robot, task):
         steps = _steps(robot, low, high, place_only=place_only)
         if steps is not None:
             found = Derivation(robot, low, high, place_only, steps)
             if proved := poses_proved(found):
-                return replace(found, proved=proved)
+                return replace(found, proved=proved, left=left_to_check(found))
     raise NoFormError(f"{robot.name} has no textbook form by these rules", "ik with a pose gives numbers")
 
 
@@ -94,7 +98,8 @@ def _sum(known: Knowledge, steps: Sequence[Step]) -> Step | None:
         name, factor = left[0]
         others = [(multiply(number(-f / factor), Symbol(n))) for n, f in step.atom if n != name]
         whole = Symbol(name_of(step.atom))
-        return Step("SUM", ((name, Fraction(1)),), (), add(whole if factor > 0 else negate(whole), *others))
+        total = add(whole, *others) if factor > 0 else add(*others, negate(whole))
+        return Step("SUM", ((name, Fraction(1)),), (), total)
     return None
 
 

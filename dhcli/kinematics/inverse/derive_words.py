@@ -8,8 +8,9 @@ from dhcli.errors import plural
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_levels import Equation
 from dhcli.kinematics.inverse.derive_rules import Step
-from dhcli.kinematics.inverse.derive_terms import Atom
-from dhcli.notation.tree import ZERO, Call
+from dhcli.kinematics.inverse.derive_terms import Atom, name_of
+from dhcli.notation.tree import HALF, ZERO, Call, Power, is_negative, negate
+from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
 
 SAID = {
@@ -24,11 +25,26 @@ SAID = {
 """What each rule uses."""
 
 
+_LONG = 48
+"""A formula of more characters is not written twice."""
+
+
 def proof_text(result: Derivation) -> str:
     """How many combinations of signs there are, and that each leads back to the pose."""
     signs = plural(result.branches, "combination")
     tried = f"tried at {result.proved} random poses and lengths"
     return f"{signs} of signs, each a solution where all are real: {tried}"
+
+
+def left_text(result: Derivation, style: str) -> str:
+    """Which poses an arm of few joints has solutions for; nothing where it is all that are near enough."""
+    joints = set(result.robot.variables)
+    fixed = [one for one in result.left if joints.isdisjoint(symbols(one.right))]
+    plain = ", ".join(f"{write(one.left, style)} = {write(one.right, style, result.robot.writing)}" for one in fixed)
+    back = ", ".join(write(one.left, style) for one in result.left if one not in fixed)
+    said = [f"with {plain}"] if plain else []
+    said += [f"where the joint values lead back to {back}"] if back else []
+    return f"only for poses {', and '.join(said)}" if said else ""
 
 
 def atom_text(atom: Atom, spelled: Callable[[str], str] = str) -> str:
@@ -39,8 +55,14 @@ def atom_text(atom: Atom, spelled: Callable[[str], str] = str) -> str:
     return text.replace("+ -", "- ")
 
 
+def named_text(atom: Atom, spelled: Callable[[str], str] = str) -> str:
+    """An unknown before its formula, a sum with the name that it has in later ones: `theta23 = theta2 + theta3`."""
+    text, name = atom_text(atom, spelled), spelled(name_of(atom))
+    return text if isinstance(atom, str) or len(atom) == 1 else f"{name} = {text}"
+
+
 def value_text(step: Step, style: str, *, joints_of: Derivation) -> str:
-    """A formula with its sign: `± acos(...)`, `atan2(...) or 180° more`."""
+    """A formula with its sign: `± acos(...)`, `atan2(...), or 180° more`."""
     joints = joints_of.robot.writing
     value = write(step.value, style, joints)
     if step.spread is not None:
@@ -53,12 +75,17 @@ def condition_text(step: Step, style: str, result: Derivation) -> str:
     """Where a formula says nothing."""
     if step.condition is None:
         return ""
-    text = write(step.condition, style, result.robot.writing)
+    condition = step.condition
+    if step.spread is None:  # a root is 0 where what it is taken of is, and the sign says nothing
+        condition = condition.base if type(condition) is Power and condition.exponent == HALF else condition
+        condition = negate(condition) if is_negative(condition) else condition
+    text = write(condition, style, result.robot.writing)
+    is_long = len(write(condition, "short", result.robot.writing)) > _LONG
     text = f"${text}$" if style == "latex" else text
     if isinstance(step.spread, Call):
-        return f"no solution where {text} is beyond -1 or 1"
+        return f"no solution where {'that cosine' if is_long else text} is beyond -1 or 1"
     if step.spread is not None:
-        return f"no solution where {text} is negative"
+        return f"no solution where {'what the root is taken of' if is_long else text} is negative"
     return f"says nothing where {text} = 0: the joint is then free, or another equation has to serve"
 
 

@@ -19,7 +19,7 @@ from dhcli.kinematics.inverse.arm import arm_of
 from dhcli.kinematics.inverse.branches import with_values
 from dhcli.kinematics.inverse.choosing import rank
 from dhcli.kinematics.inverse.led import STARTS, Arrived, Driven, arrive, where_reached
-from dhcli.kinematics.inverse.reasons import what_never_changes
+from dhcli.kinematics.inverse.reasons import too_far, what_never_changes
 from dhcli.kinematics.inverse.solutions import (
     Free,
     Solutions,
@@ -43,6 +43,9 @@ if TYPE_CHECKING:
 
 _RATIO = 12
 """Denominators of ratios up to which a turn of a variable is counted on until all moves are where they were."""
+
+_NEARLY = 1e-2
+"""A pose that is left by less [reaches, direction cosines] is nearly reached."""
 
 
 @frozen
@@ -125,9 +128,7 @@ class Leading:
             raise RobotError(f"one pose is wanted, not {len(poses)}", "inverse_batch takes many")
         goal = driven.arm.goal(poses)[0]
         best = self._best(asked["near"])
-        given = joint_values(robot, dict(held_values(asked["hold"])))
-        held = {robot.variables.index(name): in_floats(value) for name, value in given.items()}
-        held = {at.index(j): value / self.units[at.index(j)] for j, value in held.items() if j in at}
+        held = self._asked_to_hold(asked)
         chosen = driven.to_hold(tuple(held))
         more = np.empty((0, len(at))) if begun is None else begun[:, at] / self.units
         at_best = best[at] / self.units
@@ -147,13 +148,39 @@ class Leading:
         remarks.append(self.said(len(at) - len(held) - len(chosen)))
         if not len(answer):
             tried = f"nothing that was tried leads there: {self.moves}"
-            answer = replace(answer, reachable=False, why=self.what_keeps(T) or tried)
+            why, closest = self.what_keeps(T) or tried, self.closest(T, asked)
+            answer = replace(answer, reachable=False, why=why, closest=closest)
         return replace(answer, remarks=tuple(remarks))
+
+    def closest(self, T: ArrayLike | Pose[float], asked: Mapping[str, Any]) -> Array | None:  # noqa: N803
+        """Values of the robot's variables (n,) that nearly lead to a pose; None where none do that are found.
+
+        Newton's steps come to rest where the pose is nearest if it is near, and anywhere if it is not.
+        """
+        driven, at = self.driven, list(self.columns)
+        poses, _ = read_targets(T, driven.task)
+        held = self._asked_to_hold(asked)
+        x, left, _ = driven.led(driven.begun(held), driven.arm.goal(poses)[0], tuple(held), asked["tolerance"])
+        best = int(np.argmin(left))
+        if not left[best] < _NEARLY:
+            return None
+        q = self._best(asked["near"])
+        q[at] = driven.wrapped(x[best]) * self.units
+        return q
+
+    def _asked_to_hold(self, asked: Mapping[str, Any]) -> dict[int, float]:
+        """Values of the variables to be held, in their units, by their places among those that move the end."""
+        robot, at = self.carried.robot, list(self.columns)
+        given = joint_values(robot, dict(held_values(asked["hold"])))
+        held = {robot.variables.index(name): in_floats(value) for name, value in given.items()}
+        return {at.index(j): value / self.units[at.index(j)] for j, value in held.items() if j in at}
 
     def what_keeps(self, T: ArrayLike | Pose[float]) -> str:  # noqa: N803
         """What no pose of the arm has and this one would need; empty where that is not known."""
-        poses, _ = read_targets(T, self.driven.task)
-        return "; ".join(what_never_changes(self.driven.arm, self.driven.task, poses[0]))
+        arm, task = self.driven.arm, self.driven.task
+        poses, _ = read_targets(T, task)
+        kept = what_never_changes(arm, task, poses[0], self.driven.mix, self.driven.zero)
+        return "; ".join(list(kept) or too_far(arm, task, arm.goal(poses)[0]))
 
     def _best(self, near: Any) -> Array:  # noqa: ANN401  whatever form joint values have
         """Where variables should stand: near, else at 0 or in the middle of their limits, shape (n,)."""

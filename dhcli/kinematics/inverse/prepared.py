@@ -8,7 +8,7 @@ from typing import TypeAlias
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.anatomy import NOTHING, Anatomy, anatomy
-from dhcli.kinematics.inverse.arm import Arm, arm_of
+from dhcli.kinematics.inverse.arm import Arm, arm_of, check_moves
 from dhcli.kinematics.inverse.keeping import recalled, remember
 from dhcli.kinematics.inverse.steps import Plan
 from dhcli.kinematics.inverse.tasks import Task, TaskName, for_task, task_called
@@ -64,8 +64,7 @@ def prepare(
     """
     task = task_called(task_name)
     arm = for_task(arm_of(chain, variables, dict(values)), task)
-    if not arm.joints:
-        raise RobotError("no joint moves the end", "there is nothing to compute; fk says where it is")
+    check_moves(arm.joints)
     if arm.joints > MOST_JOINTS:
         raise RobotError(f"the arm has {arm.joints} joints", f"inverse kinematics takes at most {MOST_JOINTS}")
     names = [axis.name for axis in arm.axes[: arm.joints]]

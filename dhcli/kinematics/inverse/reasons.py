@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,10 +25,21 @@ _STARTS = 24
 _ROUNDS = 60
 
 
-def what_never_changes(arm: Arm, task: Task, pose: Array) -> Iterator[str]:
-    """What is the same in every pose of the end, and is not so in the pose asked for, in words."""
-    rng = np.random.default_rng(11)
-    reached = _ends(arm, rng.uniform(-2, 2, (_SAMPLES, arm.joints)))
+def what_never_changes(
+    arm: Arm, task: Task, pose: Array, mix: Array | None = None, zero: Array | None = None
+) -> Iterator[str]:
+    """What is the same in every pose of the end, and is not so in the pose asked for, in words.
+
+    Args:
+        arm: The arm.
+        task: What is wanted.
+        pose: The pose asked for, in the start frame, shape (4, 4) [m].
+        mix: Motions for each unit of the variables that make them, shape (m, n); by default each joint has its own.
+        zero: Motions where those are 0, shape (m,).
+    """
+    mix = np.eye(arm.joints) if mix is None else mix
+    drawn = np.random.default_rng(11).uniform(-2, 2, (_SAMPLES, mix.shape[1]))
+    reached = _ends(arm, drawn @ mix.T + (0.0 if zero is None else zero))
     if task.place:
         for i, name in enumerate("xyz"):
             values = reached[:, i, 3]
@@ -72,6 +84,20 @@ def _ends(arm: Arm, motions: Array) -> Array:
     inner = product(arm, motions) @ arm.home
     inner[:, :3, 3] *= arm.reach
     return np.asarray(arm.before @ inner)
+
+
+def too_far(arm: Arm, task: Task, goal: Array) -> list[str]:
+    """How far the point is from the first axis, and how far the arm can stretch from there at most."""
+    if not task.place or not arm.turning.all():
+        return []
+    first = np.array(arm.axes[0].point)
+    end = (goal @ arm.home)[:3, 3]
+    points = [first] + [np.array(axis.point) for axis in arm.axes[1 : arm.joints] if axis.turns] + [arm.home[:3, 3]]
+    longest = sum(float(np.linalg.norm(b - a)) for a, b in pairwise(points)) * arm.reach
+    distance = float(np.linalg.norm(end - first)) * arm.reach
+    if distance <= longest:
+        return []
+    return [f"the point is {distance:.4g} m from the first joint, and the links laid end to end are {longest:.4g} m"]
 
 
 def nearest_reachable(ready: Prepared, goal: Array, held: dict[int, float]) -> tuple[Array, float, float]:
@@ -155,4 +181,4 @@ def _slope(arm: Arm, motions: Array, end: Array, columns: list[int]) -> Array:
     return np.stack(parts, axis=2)
 
 
-__all__ = ["nearest_reachable", "what_never_changes"]
+__all__ = ["nearest_reachable", "too_far", "what_never_changes"]

@@ -32,6 +32,12 @@ TANGENTS = np.array([[1.0, 1.0, 0.0], [0.0, 0.0, 2.0], [1.0, -1.0, 0.0]])
 _REAL = 1e-2
 """Eigenvalues whose imaginary part is below this share are tried; Newton's steps and the robot decide."""
 
+_ALIKE = 1e-6
+"""Half tangents that are so near to each other, in shares of 1 or of their size, may be one that comes twice."""
+
+_SHARE = 0.3782
+"""With which share of the other each of two tangents is told from those of other roots."""
+
 _BLOCK = 512
 """Poses at a time: a pencil of each is held in memory."""
 
@@ -106,6 +112,7 @@ def solved(three: Array, two: Array, turn: tuple[float, ...], turning: list[bool
     vector = vectors[at, :, k]
     # an eigenvector is (w, t w): its larger half is the better one
     w = np.where((np.abs(t) > 1)[:, None], vector[:, 12:], vector[:, :12]).reshape(-1, 4, 3)
+    w = _parted(at, t.real, w)
     here = np.arange(len(w))
     i, j = np.unravel_index(np.abs(w[:, :3]).reshape(len(w), 9).argmax(axis=1), (3, 3))
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -114,6 +121,38 @@ def solved(three: Array, two: Array, turn: tuple[float, ...], turning: list[bool
         s = w[here, i, j + 1] / w[here, i, j]
     tangents = (np.nan_to_num(part.real, nan=0.0, posinf=1e9, neginf=-1e9) for part in (t, r, s))
     return at.astype(np.int64), [2 * np.arctan(part) + zero for part, zero in zip(tangents, turn, strict=True)]
+
+
+def _parted(at: Ints, t: Array, w: Array) -> Array:
+    """Eigenvectors of which each belongs to one root, where several roots have the third joint in common.
+
+    Those of an eigenvalue that comes several times may be any mixtures of the powers of r and s of its roots. To
+    multiply one power by r or by s is to go on to the next, which no mixture does: what does it to all that they span
+    has the unmixed ones for eigenvectors.
+
+    Args:
+        at: The row of each root.
+        t: The half tangent of the third joint.
+        w: Powers of r and s of the other two, mixed, shape (M, 4, 3).
+    """
+    order = np.lexsort((t, at))
+    gap = np.abs(np.diff(t[order])) <= _ALIKE * (1 + np.abs(t[order][1:]))
+    runs = np.flatnonzero(~((np.diff(at[order]) == 0) & gap)) + 1
+    if len(runs) + 1 >= len(order):
+        return w
+    w = w.astype(complex)
+    for run in np.split(order, runs):
+        if len(run) > 1:
+            span = np.moveaxis(w[run], 0, -1)
+            by_r, by_s = (_carrying(span[:-1], span[1:]), _carrying(span[:, :-1], span[:, 1:]))
+            w[run] = np.moveaxis(span @ np.linalg.eig(by_r + _SHARE * by_s)[1], -1, 0)
+    return w
+
+
+def _carrying(powers: Array, following: Array) -> Array:
+    """The square matrix that leads from some powers to those that follow them."""
+    count = powers.shape[-1]
+    return np.asarray(np.linalg.lstsq(powers.reshape(-1, count), following.reshape(-1, count), rcond=1e-9)[0])
 
 
 def _left(three: Array, two: Array, count: int) -> Array:

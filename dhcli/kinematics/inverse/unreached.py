@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,7 +14,7 @@ from dhcli.kinematics.inverse.matrices import value_of
 from dhcli.kinematics.inverse.planning import NoPlanError, find_plan
 from dhcli.kinematics.inverse.polishing import jacobian, spread
 from dhcli.kinematics.inverse.prepared import Prepared
-from dhcli.kinematics.inverse.reasons import nearest_reachable, what_never_changes
+from dhcli.kinematics.inverse.reasons import nearest_reachable, too_far, what_never_changes
 from dhcli.kinematics.inverse.rows import Rows
 from dhcli.kinematics.inverse.rule_one import read_off
 from dhcli.kinematics.inverse.running import run
@@ -62,7 +61,7 @@ def why_not(
     motions = nearest_turn(arm.turning, motions)
     reasons = list(what_never_changes(arm, ready.task, pose))
     if not reasons:
-        reasons = _too_far(ready, goal) or _not_real(ready, goal, held)
+        reasons = too_far(arm, ready.task, goal) or _not_real(ready, goal, held)
     parts = list(_parts(ready, goal, held)) if ready.task.name in {"pose", "axis"} else []
     # where all of it is that small, it is what the typed digits leave, and is told
     least = LEAST if max(apart, angle) > LEAST else 0.0
@@ -83,23 +82,6 @@ def why_not(
 def _shown(left: float, least: float) -> float:
     """What is left of a distance or an angle, without what the search for the nearest pose leaves."""
     return 0.0 if left < least else left
-
-
-def _too_far(ready: Prepared, goal: Array) -> list[str]:
-    """How far the point is from the first axis, and how far the arm can stretch from there at most."""
-    arm = ready.arm
-    if not ready.task.place or not arm.turning[0]:
-        return []
-    first = np.array(arm.axes[0].point)
-    end = (goal @ arm.home)[:3, 3]
-    points = [first] + [np.array(axis.point) for axis in arm.axes[1 : arm.joints] if axis.turns] + [arm.home[:3, 3]]
-    if not arm.turning.all():
-        return []
-    longest = sum(float(np.linalg.norm(b - a)) for a, b in pairwise(points)) * arm.reach
-    distance = float(np.linalg.norm(end - first)) * arm.reach
-    if distance <= longest:
-        return []
-    return [f"the point is {distance:.4g} m from the first joint, and the links laid end to end are {longest:.4g} m"]
 
 
 def _not_real(ready: Prepared, goal: Array, held: dict[int, float]) -> list[str]:

@@ -12,6 +12,7 @@ from dhcli.errors import RobotError
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.recorded import kept
 from dhcli.kinematics.robot import Robot, check_robot
+from dhcli.kinematics.singular.angles import NEVER, angle_words
 from dhcli.kinematics.singular.arm import Arm, Point
 from dhcli.kinematics.singular.conditions import UnreadableError, conditions, moving
 from dhcli.kinematics.singular.modular import determinant, rank
@@ -19,14 +20,15 @@ from dhcli.kinematics.singular.polynomial import TooLongError, product
 from dhcli.kinematics.singular.result import MOST_JOINTS, Factor, Singularities
 from dhcli.kinematics.singular.square import factored
 from dhcli.kinematics.singular.task import arm_of, number_of, place_of, put_back, task_of, task_rows
-from dhcli.kinematics.singular.vanishing import fresh, right_angles, vanishing, variables_of
-from dhcli.kinematics.singular.words import Geometry, Place, angle_words, listed
+from dhcli.kinematics.singular.vanishing import fresh, here_and_elsewhere, right_angles, variables_of
+from dhcli.kinematics.singular.words import Geometry, Place, listed
 from dhcli.kinematics.values import Values, given_parameters
 from dhcli.kinematics.velocity import cramer
 from dhcli.kinematics.velocity.form import GEOMETRIC, Which, check_part
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.tree import Expr, Trig, negate
 from dhcli.notation.walk import operations
+from dhcli.notation.writer import write
 
 MOST_TOGETHER = 2
 """Joints that are put at right angles at once where no list is readable."""
@@ -149,13 +151,13 @@ def _described(
 ) -> Factor:
     """A factor or condition with what it means."""
     simple = sorted(zeros, key=lambda zero: (not isinstance(zero, Trig), operations(zero)))
-    angles = " and ".join(angle_words(zero, arm.robot.writing) for zero in simple if not operations(zero))
+    angles = angle_words(simple, arm.robot.writing)
     plain = Factor(zeros, exponent, variables_of(zeros, arm.joints), angles)
-    here = next((Point.of(arm, over) for over in vanishing(arm, simple)), None)
-    if here is None:
+    points = None if angles.startswith(NEVER) else here_and_elsewhere(arm, simple, point)
+    if points is None:
         return plain
     numbers = [number_of(arm, j) for j in range(len(arm.joints))]
-    geometry = Geometry(here, point, place, numbers)
+    geometry = Geometry(*points, place, numbers)
     part, dependent = geometry.moving_alike(kept)
     names = tuple(arm.joints[j] for j in dependent)
     together = f"the columns of {listed(names)} become dependent" if names else ""
@@ -170,11 +172,12 @@ def _one_by_one(arm: Arm, point: Point, place: Place, zeros: Sequence[Expr]) -> 
     numbers = [number_of(arm, j) for j in range(len(arm.joints))]
     said = []
     for zero in zeros:
-        here = next((Point.of(arm, over) for over in vanishing(arm, (zero,))), None)
-        if here is None:
+        points = here_and_elsewhere(arm, (zero,), point)
+        if points is None:
             return ""
-        geometry = Geometry(here, point, place, numbers)
-        said.append(next(geometry.sentences(range(len(arm.joints))), angle_words(zero, arm.robot.writing)))
+        geometry = Geometry(*points, place, numbers)
+        plain = angle_words((zero,), arm.robot.writing) or f"{write(zero, 'short', arm.robot.writing)} is 0"
+        said.append(next(geometry.sentences(range(len(arm.joints))), plain))
     return " and ".join(dict.fromkeys(said))
 
 

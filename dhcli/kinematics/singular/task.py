@@ -10,12 +10,13 @@ from dhcli.kinematics.forward import put_in
 from dhcli.kinematics.frames import ORIGIN, between
 from dhcli.kinematics.moves import Chain, Move, Rot, Trans
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.singular.angles import angle_words
 from dhcli.kinematics.singular.arm import Arm, Point
 from dhcli.kinematics.singular.modular import rank
 from dhcli.kinematics.singular.result import Factor, Singularities
 from dhcli.kinematics.singular.square import best_places
 from dhcli.kinematics.singular.vanishing import fresh
-from dhcli.kinematics.singular.words import Place, angle_words, listed
+from dhcli.kinematics.singular.words import Place, listed
 from dhcli.kinematics.values import Values
 from dhcli.kinematics.velocity.form import Form, Which
 from dhcli.kinematics.velocity.jacobian import moving_joints
@@ -23,7 +24,7 @@ from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.angle import Angle
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr
-from dhcli.notation.walk import operations, substitute
+from dhcli.notation.walk import substitute
 
 HALF_DEGREES = 2
 """Residues hold multiples of half a degree."""
@@ -126,5 +127,4 @@ def put_back(found: Singularities, constants: Mapping[str, Angle]) -> Singularit
 
 
 def _factor(factor: Factor, zeros: tuple[Expr, ...], joints: Joints) -> Factor:
-    angles = " and ".join(angle_words(zero, joints) for zero in zeros if not operations(zero))
-    return replace(factor, zeros=zeros, angles=angles)
+    return replace(factor, zeros=zeros, angles=angle_words(zeros, joints))

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from dhcli.algebra.arithmetic import CannotHoldError
-from dhcli.algebra.residues import STEPS, Residues, random_below
+from dhcli.algebra.residues import STEPS, Field, Residues, random_below, random_field
 from dhcli.kinematics.moves import Rot
-from dhcli.kinematics.singular.arm import Arm
+from dhcli.kinematics.singular.arm import Arm, Point
 from dhcli.kinematics.singular.modular import square_root
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Trig
@@ -20,9 +20,9 @@ TRIES = 6
 class Chosen(Residues):
     """Residues in which some names have a value that was chosen."""
 
-    def __init__(self, angles: Iterable[Angle]) -> None:
+    def __init__(self, angles: Iterable[Angle], field: Field | None = None) -> None:
         """Choose nothing yet."""
-        super().__init__(angles=angles)
+        super().__init__(angles=angles, field=field)
 
     def put_unit(self, name: str, unit: int) -> None:
         """Let an angle have a unit for its e^{iθ}."""
@@ -41,32 +41,55 @@ class Chosen(Residues):
         return (cos + self.field.i * sin) % self.field.prime
 
 
-def fresh(arm: Arm) -> Chosen:
-    """A random point for an arm."""
-    return Chosen(move.angle for move in arm.chain if isinstance(move, Rot))
+FIELDS = 12
+"""Fields in which the roots of a factor are looked for that is the same at every random point of one field."""
 
 
-def vanishing(arm: Arm, factors: Sequence[Expr]) -> Iterator[Chosen]:
+def fresh(arm: Arm, field: Field | None = None) -> Chosen:
+    """A random point for an arm, in the field of the day or another one."""
+    return Chosen((move.angle for move in arm.chain if isinstance(move, Rot)), field)
+
+
+def here_and_elsewhere(arm: Arm, factors: Sequence[Expr], elsewhere: Point) -> tuple[Point, Point] | None:
+    """An arm where factors are zero, and at a random point of the same field; None if no such point is found.
+
+    Args:
+        arm: The arm.
+        factors: As in `vanishing`.
+        elsewhere: The arm at a random point of some field.
+    """
+    alone = any(len(symbols(factor)) == 1 for factor in factors)  # nothing else of it is at random
+    for tried in range(FIELDS if alone else 1):
+        if tried:
+            elsewhere = Point.of(arm, fresh(arm, random_field()))
+        here = next(vanishing(arm, factors, elsewhere.field), None)
+        if here is not None:
+            return Point.of(arm, here), elsewhere
+    return None
+
+
+def vanishing(arm: Arm, factors: Sequence[Expr], field: Field | None = None) -> Iterator[Chosen]:
     """Points at which all the factors are zero, by each of their roots.
 
     Args:
         arm: The arm.
         factors: Sums, cosines, sines, or names of slides; simple ones are best given first.
+        field: Where the points are; by default in the field of the day.
 
     Where a joint stands in fractions of its angle no such point is looked for.
     """
     for turn in range(4):
         try:
-            over = _vanishing(arm, factors, turn)
+            over = _vanishing(arm, factors, turn, field)
         except CannotHoldError:
             return
         if over is not None:
             yield over
 
 
-def _vanishing(arm: Arm, factors: Sequence[Expr], turn: int) -> Chosen | None:
+def _vanishing(arm: Arm, factors: Sequence[Expr], turn: int, field: Field | None) -> Chosen | None:
     for _ in range(TRIES):
-        over = fresh(arm)
+        over = fresh(arm, field)
         if all(_solve(arm, over, factors, k, turn >> min(k, 1) & 1) for k in range(len(factors))) and not any(
             over.value(factor) for factor in factors
         ):
@@ -100,7 +123,7 @@ def _by_right_angle(over: Chosen, factor: Trig, name: str, turn: int) -> bool:
     steps = (0 if factor.function == "sin" else STEPS // 4) + (STEPS // 2) * turn
     unit = field.root_of_unity(steps) * field.inverse(over.unit_of(factor.angle)) % field.prime
     over.put_unit(name, unit if terms[name] > 0 else field.inverse(unit))
-    return not over.value(factor)
+    return _stays_chosen(over, factor, name)
 
 
 def _linear(over: Chosen, factor: Expr, name: str) -> bool:
@@ -130,13 +153,18 @@ def _by_unit(over: Chosen, factor: Expr, name: str, turn: int) -> bool:
     a = (cosine - field.i * sine) * half % prime
     b = (cosine + field.i * sine) * half % prime
     root = square_root(constant * constant - 4 * a * b, field)
-    if root is None or not a:
-        over.put_unit(name, random_below(prime - 2) + 2)
-        return False
-    root = -root if turn else root
-    unit = (root - constant) * half % prime * field.inverse(a) % prime
-    over.put_unit(name, unit or 1)
-    return over.value(factor) == 0
+    if root is not None and a:
+        root = -root if turn else root
+        over.put_unit(name, (root - constant) * half % prime * field.inverse(a) % prime or 1)
+    return _stays_chosen(over, factor, name)
+
+
+def _stays_chosen(over: Chosen, factor: Expr, name: str) -> bool:
+    """Whether a factor is zero now; else its angle is at random again, and not somewhere special for nothing."""
+    if over.value(factor) == 0:
+        return True
+    over.put_unit(name, random_below(over.field.prime - 2) + 2)
+    return False
 
 
 def right_angles(arm: Arm, turns: Mapping[str, int]) -> Chosen:

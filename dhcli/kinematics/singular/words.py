@@ -12,9 +12,6 @@ from itertools import combinations
 from dhcli.frozen import frozen
 from dhcli.kinematics.singular.arm import Point, Triple, alike, in_line, in_plane, volume
 from dhcli.kinematics.singular.modular import Table, cross, dot, minus, null_space
-from dhcli.notation.styles import Joints
-from dhcli.notation.tree import Expr, Symbol, Trig
-from dhcli.notation.writer import write, write_angle
 
 
 @frozen
@@ -23,16 +20,6 @@ class Place:
 
     place: int
     words: str
-
-
-def angle_words(factor: Expr, joints: Joints) -> str:
-    """Where a factor is zero, in the values of joints: `theta5 is 0 or 180°`."""
-    if isinstance(factor, Trig):
-        angle = write_angle(factor.angle, "short", joints)
-        return f"{angle} is {'0 or 180°' if factor.function == 'sin' else '90° or -90°'}"
-    if isinstance(factor, Symbol):
-        return f"{factor.name} is 0"
-    return f"{write(factor, 'short', joints)} is 0"
 
 
 def listed(names: Iterable[object]) -> str:

@@ -199,4 +199,6 @@ def in_numbers(entries: Sequence[Expr], what: str) -> tuple[float, ...]:
 
 def _check_count(rates: Sequence[object], joints: Sequence[str]) -> None:
     if len(rates) != len(joints):
-        raise RobotError(f"{len(rates)} rates for {len(joints)} joints", f"one for each of {', '.join(joints)}")
+        raise RobotError(
+            f"{plural(len(rates), 'rate')} for {plural(len(joints), 'joint')}", f"one for each of {', '.join(joints)}"
+        )

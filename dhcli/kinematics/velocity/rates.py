@@ -206,7 +206,9 @@ def moved(rows: Sequence[Sequence[float]], joints: Sequence[str], rates: Sequenc
     except (TypeError, ValueError):
         raise RobotError(f"rates are numbers, not {rates!r:.60}") from None
     if len(given) != len(joints):
-        raise RobotError(f"{len(given)} rates for {len(joints)} joints", f"one for each of {', '.join(joints)}")
+        raise RobotError(
+            f"{plural(len(given), 'rate')} for {plural(len(joints), 'joint')}", f"one for each of {', '.join(joints)}"
+        )
     if not np.isfinite(given).all():
         raise RobotError("a rate is not a real number")
     return tuple(float(np.dot(row, given)) for row in rows)

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_rules import Step
-from dhcli.kinematics.inverse.derive_words import SAID, atom_text, condition_text, level_text, proof_text
+from dhcli.kinematics.inverse.derive_words import (
+    SAID,
+    atom_text,
+    condition_text,
+    left_text,
+    level_text,
+    named_text,
+    proof_text,
+)
 from dhcli.notation.styles import latex_name
 from dhcli.notation.tree import ZERO
 from dhcli.notation.writer import write
@@ -14,7 +22,7 @@ from dhcli.safe import markdown, markdown_code, markdown_heading
 
 def derivation_latex(result: Derivation, _look: Look) -> str:
     """The formulas, one a line, aligned at their equals signs."""
-    lines = [f"{atom_text(step.atom, latex_name)} &= {_latex_value(result, step)}" for step in result.steps]
+    lines = [f"{named_text(step.atom, latex_name)} &= {_latex_value(result, step)}" for step in result.steps]
     return "\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}\n"
 
 
@@ -36,7 +44,9 @@ def derivation_markdown(result: Derivation, _look: Look) -> str:
         for one in step.equations:
             sides = f"{write(one.left, 'latex', joints)} = {write(one.right, 'latex', joints)}"
             lines += ["", f"$${sides}$$", "", f"{markdown_code(level_text(result, one))}, so"]
-        lines += ["", f"$${atom_text(step.atom, latex_name)} = {_latex_value(result, step)}$$"]
+        lines += ["", f"$${named_text(step.atom, latex_name)} = {_latex_value(result, step)}$$"]
         if condition := condition_text(step, "latex", result):
             lines += ["", f"Here: {condition}."]
-    return "\n".join(lines) + f"\n\n{proof_text(result)}\n"
+    for said in filter(None, (left_text(result, "short"), proof_text(result))):
+        lines += ["", said[0].upper() + said[1:] + "."]
+    return "\n".join(lines) + "\n"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import keyword
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 
 from dhcli.frozen import frozen
 from dhcli.notation.styles import RESERVED as TYPED
@@ -126,15 +126,16 @@ class Language:
         """
         names = spelling.names
         ordered = sorted(heading.lengths, key=lambda name: heading.lengths[name] is not None)
-        values = {name: heading.lengths[name] for name in ordered}
+        own = {name: heading.lengths[name] for name in ordered}
+        values = {**own, **heading.more}
         arguments = [*heading.given, *(self.argument.format(names[name]) for name in heading.joints)]
         for name, value in values.items():
             form = self.argument if value is None else self.preset
             arguments.append(form.format(names[name], "" if value is None else decimal(value)))
         first = self.head.format(heading.name, ", ".join([*arguments, *heading.filled]), heading.gives)
         said = list(heading.said)
-        if self.preset == self.argument and self.name == "c" and (own := _own_values(values, names)):
-            said.append(own)
+        if self.preset == self.argument and self.name == "c" and (words := _own_values(own, names)):
+            said.append(words)
         if self.name == "matlab":
             body = [*_presets(len(arguments) - len(values), values, names), *body]
         inside = docstring(*said).split("\n") if self.mark == "#" and self.name != "julia" else []
@@ -153,6 +154,7 @@ class Heading:
         said: What it does, a line each.
         joints: Joint values that it takes.
         lengths: Lengths that it takes, with the values they have by default.
+        more: What it takes behind them, with values by default, that is none of the robot's.
         given: Arguments before those, as they are spelled.
         filled: Arguments behind those, as they are spelled.
         gives: What its result is called, or the type of it.
@@ -162,6 +164,7 @@ class Heading:
     said: Sequence[str]
     joints: Sequence[str]
     lengths: Mapping[str, float | None]
+    more: Mapping[str, float] = field(default_factory=dict)
     given: Sequence[str] = ()
     filled: Sequence[str] = ()
     gives: str = ""

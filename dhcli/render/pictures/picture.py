@@ -8,11 +8,12 @@ from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from dhcli.errors import DhcliError, RobotError, UnknownNameError
+from dhcli.errors import DhcliError, RobotError, plural
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.sweep.workspace import Workspace
 from dhcli.kinematics.values import JointInput, given_parameters, joint_values
 from dhcli.mobility.linkage import Linkage
+from dhcli.render.endings import PICTURES, format_by_ending
 from dhcli.scene.camera import view_given
 from dhcli.scene.drawing import Drawing
 from dhcli.scene.motion import Path as Rows
@@ -20,9 +21,6 @@ from dhcli.scene.staging import posed
 
 if TYPE_CHECKING:
     from dhcli.render.paper import Paper as Letters
-
-SUFFIXES = {".svg": "svg", ".tex": "tikz", ".png": "png", ".pdf": "pdf", ".html": "page", ".txt": "terminal"}
-"""The format that each suffix stands for."""
 
 LEAST, MOST = 120, 8000
 """The smallest and the largest side of a picture [px]."""
@@ -210,7 +208,8 @@ def _rows(what: Robot | Linkage, path: Rows) -> Rows:
     count = len(what.variables) if isinstance(what, Robot) else 0
     for number, row in enumerate(rows):
         if len(row) != count or not all(map(isfinite, row)):
-            raise RobotError(f"row {number} of the path has {len(row)} numbers; {count} finite ones are wanted")
+            has = f"row {number} of the path has {plural(len(row), 'number')}"
+            raise RobotError(f"{has}; wanted: {count}, each finite")
     return rows
 
 
@@ -234,7 +233,4 @@ def format_of(path: str | Path) -> str:
     Raises:
         UnknownNameError: It stands for none.
     """
-    suffix = Path(path).suffix.lower()
-    if suffix not in SUFFIXES:
-        raise UnknownNameError(f"{path} does not say which format it should have", f"suffixes: {' '.join(SUFFIXES)}")
-    return SUFFIXES[suffix]
+    return format_by_ending(path, PICTURES, more="")

@@ -30,8 +30,8 @@ def at_pose_table(result: MobilityAtPose, look: Look) -> str:
         if factor.lost:
             lines.append(paper.spell(f"    lost: {factor.lost}"))
     if result.lost:
-        lines.append(f"  where else it loses freedoms: dhcli singularities {result.robot.name}")
-    lines += paper.aside(f"  whether one pose is reached: dhcli ik {result.robot.name}")
+        lines.append(f"  where else it loses freedoms: dhcli singularities {result.robot.typed}")
+    lines += paper.aside(f"  whether one pose is reached: dhcli ik {result.robot.typed}")
     return mobility_table(result.mobility, look) + "\n" + "\n".join(lines) + "\n"
 
 

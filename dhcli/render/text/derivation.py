@@ -9,7 +9,16 @@ from typing import Any
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_rules import Step
-from dhcli.kinematics.inverse.derive_words import SAID, atom_text, condition_text, level_text, proof_text, value_text
+from dhcli.kinematics.inverse.derive_words import (
+    SAID,
+    atom_text,
+    condition_text,
+    left_text,
+    level_text,
+    named_text,
+    proof_text,
+    value_text,
+)
 from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
@@ -32,7 +41,8 @@ def derivation_table(result: Derivation, look: Look) -> str:
             heading_text(f"{number}. {atom_text(step.atom)}: {step.rule}, {SAID[step.rule]}", paper),
         ]
         lines += [f"   {paper.spell(line)}" for line in _step_lines(result, step, look)]
-    lines += ["", *wrap(paper.spell(proof_text(result)), paper.width)]
+    for said in filter(None, (left_text(result, look.style or "short"), proof_text(result))):
+        lines += ["", *wrap(paper.spell(said), paper.width)]
     return "\n".join(lines) + "\n"
 
 
@@ -46,7 +56,7 @@ def _step_lines(result: Derivation, step: Step, look: Look) -> Iterator[str]:
     style, joints = look.style or "short", result.robot.writing
     for one in step.equations:
         yield f"{write(one.left, style, joints)} = {write(one.right, style, joints)}    {level_text(result, one)}"
-    yield f"{atom_text(step.atom)} = {value_text(step, style, joints_of=result)}"
+    yield f"{named_text(step.atom)} = {value_text(step, style, joints_of=result)}"
     if condition := condition_text(step, style, result):
         yield condition
 
@@ -65,6 +75,7 @@ def derivation_content(result: Derivation, _look: Look) -> dict[str, Any]:
         "task": "position" if result.place_only else "pose",
         "branches": result.branches,
         "proved": result.proved,
+        "only_where": [{"left": plain(one.left), "right": plain(one.right)} for one in result.left],
         "steps": [
             {
                 "rule": step.rule,

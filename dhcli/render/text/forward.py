@@ -31,7 +31,7 @@ def pose_table(result: ForwardKinematics, look: Look) -> str:
     if result.words:
         lines.append(look.paper.ink(", ".join(result.words), "dim"))
     if not result.question.symbolic:
-        lines += look.paper.aside(f"from a pose back to the joints: dhcli ik {result.robot.name}")
+        lines += look.paper.aside(f"from a pose back to the joints: dhcli ik {result.robot.typed}")
     return _text(lines)
 
 

@@ -13,6 +13,7 @@ from dhcli.checking.judge import MISPRINT, is_explained
 from dhcli.checking.marked import PartMark, SheetMark
 from dhcli.checking.returned import Shown
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
+from dhcli.errors import plural
 from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
@@ -50,7 +51,7 @@ def marks_table(marked: SheetMark, look: Look) -> str:
 def sum_line(marked: SheetMark) -> str:
     """How many parts are solved, and the credit they earned."""
     solved = sum(part.mark.verdict.passed is True for part in marked.parts)
-    return f"{solved} of {len(marked.parts)} parts solved, {_earned(marked.earned, marked.credit)}"
+    return f"{solved} of {plural(len(marked.parts), 'part')} solved, {_earned(marked.earned, marked.credit)}"
 
 
 def _earned(earned: float, credit: float) -> str:
@@ -149,8 +150,8 @@ def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
     paper, mark, exercise = look.paper, one.mark, marked.exercise
     verdict = mark.verdict
     word = paper.ink(f"{paper.spell(verdict.sign)} {verdict.word:<10}", "bold", *_INKS[verdict])
-    credit = _partial_credit(one) if len(marked.parts) > 1 else ""
-    asked = one.part.id if marked.walked else f"{one.part.id}: {one.part.heading(exercise)}{credit}"
+    asked = one.part.id if marked.walked else f"{one.part.id}: {one.part.heading(exercise)}"
+    asked += _partial_credit(one) if len(exercise.asked) > 1 or "/" in exercise.id else ""
     first, *rest = prose_lines(paper.spell(asked), paper, _UNDER_ASKED, _UNDER_ASKED)
     yield f"{word}  {first.removeprefix(_UNDER_ASKED)}"
     yield from rest

@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, TypeAlias
 
+from dhcli.files.rows import POSITION
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Value
-from dhcli.kinematics.sweep.grid import Axis, Grid
+from dhcli.kinematics.sweep.grid import Axis
 from dhcli.kinematics.sweep.result import Extreme, Sweep
 from dhcli.notation.angle import Angle
 from dhcli.render.code.matrices import csv_line, exact
-from dhcli.render.code.pose_rows import GROUPS
-from dhcli.render.code.rows import Group, Layout
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words, packed
 from dhcli.render.text.matrix import aligned
@@ -49,7 +48,7 @@ def sweep_table(result: Sweep, look: Look) -> str:
         "",
         *_extremes(result, look),
         paper.ink(BETWEEN, "dim"),
-        *paper.aside(f"whether one pose is reached: dhcli ik {target.robot.name}"),
+        *paper.aside(f"whether one pose is reached: dhcli ik {target.robot.typed}"),
     ]
     return "\n".join(lines) + "\n"
 
@@ -57,7 +56,7 @@ def sweep_table(result: Sweep, look: Look) -> str:
 def sweep_csv(result: Sweep, _look: Look) -> str:
     """A line for each extreme: what it is, distance, position, and all joint values in radians and metres."""
     names = [axis.name for axis in result.grid.axes]
-    lines = [csv_line(["extreme", "distance", *GROUPS["position"].heads, *names])]
+    lines = [csv_line(["extreme", "distance", *POSITION, *names])]
     for name, extreme in _named(result):
         numbers = (extreme.distance, *extreme.position, *map(in_floats, extreme.q.values()))
         lines.append(csv_line([name, *(repr(exact(number)) for number in numbers)]))
@@ -82,12 +81,6 @@ def sweep_content(result: Sweep, _look: Look) -> dict[str, Any]:
         "box": [[exact(low), exact(high)] for low, high in result.box],
         "extremes": {name: _content(extreme) for name, extreme in _named(result)},
     }
-
-
-def point_layout(grid: Grid) -> Layout:
-    """The columns for the points of a grid: every joint, then the position."""
-    joints = Group.named("q", {axis.name: axis.name for axis in grid.axes})
-    return Layout((joints, GROUPS["position"]))
 
 
 def _content(extreme: Extreme) -> dict[str, Any]:

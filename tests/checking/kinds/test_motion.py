@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -19,6 +20,7 @@ from dhcli.kinematics.forward import forward
 from dhcli.kinematics.values import joint_values
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.parser import parse
+from tests.nightly import in_turn
 
 if TYPE_CHECKING:
     from dhcli.checking.exercise import Exercise, Part
@@ -201,7 +203,7 @@ def test_a_slip_is_named_by_the_answer_it_leads_to(robot: str, ask: str, slip: s
     """In numbers, and where the question has an answer in symbols there too; nothing else is named."""
     q = (0.3, -0.5, 0.4, 0.7, 0.0, -0.4) if ask.startswith("rank") else Q[robot]
     in_numbers = "degrees" in slip or ask.startswith(("manip", "rank"))
-    for values in (q,) if in_numbers else (q, None):
+    for values in (q,) if in_numbers else in_turn((q, None), SLIPS.index((robot, ask, slip)), 2):
         judge, part = asked(robot, ask, values)
         mark = judge.check(part, judge.answer_with(part, slip))
         assert mark.verdict is Verdict.WRONG
@@ -263,6 +265,35 @@ def test_a_sheet_in_millimetres_counts_lengths_and_their_powers_in_them() -> Non
     assert "right in m" in " ".join(told("planar-2r", ask, "0.0940", q, unit="mm").remarks)
 
 
+@pytest.mark.parametrize("unit", ["m", "mm"])
+@pytest.mark.parametrize("ask", ["determinant of jacobian linear of 0..2", "manipulability of jacobian linear of 0..2"])
+def test_an_area_may_have_its_unit(ask: str, unit: str) -> None:
+    """Which is believed; a length and a volume are none, and say so. A bare number is in that of the sheet."""
+    area = 0.4 * 0.3 * math.sin(0.9)
+    right = [
+        f"{area:.5f} m²",
+        f"{area:.5f} m^2",
+        f"{area * 1e6:.0f} mm²",
+        f"w = {area * 1e4:.2f} cm^2",
+        f"{area:.5f} m2",
+    ]
+    for answer in right[:-1]:
+        assert told("planar-2r", ask, answer, (0.4, 0.9), unit=unit).verdict is Verdict.RIGHT, answer
+    assert told("planar-2r", ask, f"{area * 1.005:.5f} m²", (0.4, 0.9), unit=unit).verdict is Verdict.CLOSE
+    other = told("planar-2r", ask, f"{area * (1e6 if unit == 'm' else 1):.6f}", (0.4, 0.9), unit=unit)
+    assert other.remarks == (f"right in {'mm' if unit == 'm' else 'm'}²; this sheet is in {unit}",)
+    for typed, called in ((f"{area} m", "a length"), (f"{area} m^3", "a volume")):
+        said = told("planar-2r", ask, typed, (0.4, 0.9), unit=unit).remarks[0]
+        assert said == f"entry (1,1): this is {called}, an area is wanted"
+
+
+def test_one_unit_behind_a_jacobian_is_that_of_its_lengths() -> None:
+    """The rows of ω have none, and decimal commas may stand in it."""
+    right = "[-427,7 -271,9; 495,1 126,7; 0 0; 0 0; 0 0; 1 1] mm"
+    mark = told("planar-2r", "jacobian of 0..2", right, (0.4, 0.7346))
+    assert mark.verdict is Verdict.RIGHT, mark.reading
+
+
 def parse_number(text: str) -> str:
     """A number as it was typed, which must be one."""
     parse(text)
@@ -278,6 +309,14 @@ def parse_number(text: str) -> str:
         ("torques for (0, 10, 0) of 0..2", "tau1 = 4.4867 N m, tau2 = 0.8025 N*m"),
         ("torques for (0, 10, 0) of 0..2", "τ_1 ≈ 4.4867 Nm; τ_2 ≈ 0.8025 Nm"),
         ("torques for (0, 10, 0) of 0..2", "4,4867 Nm; 0,8025 Nm"),
+        ("torques for (0, 10, 0) of 0..2", "4486.7 Nmm, 802.5 N mm"),
+        ("torques for (0, 10, 0) of 0..2", "448.67 Ncm; 80.25 N·cm"),
+        ("torques for (0, 10, 0) of 0..2", "0.0044867 kN·m, 802.5 mNm"),
+        ("torques for (0, 10, 0) of 0..2", "(4486.7, 802.5) Nmm"),
+        ("torques for (0, 10, 0) of 0..2", "(4,4867; 0,8025) Nm"),
+        ("torques for (0, 10, 0) of 0..2", "[4.4867; 0.8025]ᵀ"),
+        ("velocity of 0..2 with rates (0.5, -1)", "(0,06665; 0,1441; 0) m/s"),
+        ("velocity of 0..2 with rates (0.5, -1)", "v = (66.65 | 144.1 | 0)ᵀ mm/s"),
         ("angular velocity of 0..2 with rates (0.5, -1)", "0; 0; -0,5 rad/s"),
         ("angular velocity of 0..2 with rates (0.5, -1)", "0, 0, -0.5 rad·s⁻¹"),
         ("velocity of 0..2 with rates (0.5, -1)", "v_x ≈ 0.06665 m s^-1, v_y ≈ 0.1441 m s^{-1}, v_z = 0"),
@@ -294,6 +333,7 @@ def test_units_of_rates_and_forces_may_stand_behind_numbers(ask: str, answer: st
     [
         ("planar-2r", "torques for (0, 10, 0) of 0..2", "4.4867 N, 0.8025 N", "number 1 is in N; N m is wanted"),
         ("planar-2r", "torques for (0, 10, 0) of 0..2", "4.4867, 0.8025 N", "number 2 is in N; N m is wanted"),
+        ("planar-2r", "torques for (0, 10, 0) of 0..2", "4.4867 kN, 0.8 N", "number 1 is in kN; N m is wanted"),
         ("planar-2r", "torques for (0, 10, 0) of 0..2", "4.4867 rad/s, 0.8", "number 1 is in rad/s; N m is wanted"),
         ("cylindrical", "torques for (0, 10, 0) of 0..3", "(1 N, 0, 2)", "number 1 is in N; N m is wanted"),
         ("cylindrical", "torques for (0, 10, 0) of 0..3", "(1 N m, 0, 2 N m)", "number 3 is in N m; N is wanted"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import pytest
@@ -162,6 +163,28 @@ def test_one_number_is_too_little_for_two_slips(ask: str) -> None:
     for share in (0.31, 0.57, 0.73, 0.91, 1.21, 1.9):
         found = judge.check(part, f"{right * share:.5f}").diagnosis
         assert found is None or all(len(cause) == 1 for cause in found.causes)
+
+
+def test_two_slips_behind_one_number_are_named_by_its_digits() -> None:
+    """54.098 is the pair's alone; 54 may be anything."""
+    judge = Judge(load_exercise(MOTION / "articulated-load.yaml"))
+    part = judge.exercise.part("w")
+    found = judge.check(part, "54.098").diagnosis
+    assert found is not None
+    assert found.ids == ("sin-cos + reciprocal",)
+    assert judge.check(part, "54").diagnosis is None
+
+
+@pytest.mark.parametrize(("name", "part"), [("articulated-load", "w"), ("wrist-analytic", "rpy")])
+def test_a_number_out_of_the_blue_hardly_ever_has_a_name(name: str, part: str) -> None:
+    """However many digits it has: of two hundred at most one in fifty."""
+    judge, draw = Judge(load_exercise(MOTION / f"{name}.yaml")), Random(3)  # noqa: S311
+    one, named = judge.exercise.part(part), 0
+    right = float(judge.expected(one))
+    for _ in range(200):
+        found = judge.check(one, f"{right * draw.uniform(-1.5, 1.5):.{draw.choice([3, 4, 5])}f}").diagnosis
+        named += found is not None
+    assert named <= 4
 
 
 def sheet(name: str, answers: Mapping[str, str]) -> SheetMark:

@@ -148,3 +148,45 @@ def test_an_orientation_in_an_exercise_in_letters_says_that_it_is_in_numbers() -
     exercise = question_about(robot, "rpy of pose 0..2", numeric=False, given=values)
     with pytest.raises(DhcliError, match="said in numbers \\(numeric: true\\)"):
         Judge(exercise).expected(exercise.parts[0])
+
+
+@pytest.mark.parametrize(
+    ("ask", "answer"),
+    [
+        ("quaternion of rotation from Rot([0, 0, 1], 60°)", answer)
+        for answer in (
+            "(0.866, 0, 0, 0.5)",
+            "(0.866 | 0 | 0 | 0.5)",
+            "0,866; 0; 0; 0,5",
+            "(0,866; 0; 0; 0,5)",
+            "0,866\n0\n0\n0,5",
+            "w = 0,866; x = 0; y = 0; z = 0,5",
+            "w: 0.866, x: 0, y: 0, z: 0.5",
+            "[0.866 0 0 0.5]ᵀ",
+            "(0.866, (0, 0, 0.5))",
+            r"\left(\frac{\sqrt{3}}{2}, 0, 0, \frac12\right)",
+            "√3/2, 0, 0, ½",
+            "(cos(30°), 0, 0, sin(30°))",
+        )
+    ]
+    + [
+        ("rpy of rotation from rpy(10°, 20°, 30°)", answer)
+        for answer in (
+            "(10, 20, 30)",
+            "(10; 20; 30)°",
+            "[10 20 30] deg",
+            "(π/18, π/9, π/6)",
+            "roll: 10°, pitch: 20°, yaw: 30°",
+            "10,0° 20,0° 30,0°",
+        )
+    ]
+    + [
+        ("axis-angle of rotation from Rot([0, 0, 1], 60°)", answer)
+        for answer in ("(0, 0, 1), 60°", "[0 0 1] 60°", "k = (0, 0, 1), θ = pi/3")
+    ],
+)
+def test_an_orientation_is_read_as_people_write_lists(ask: str, answer: str) -> None:
+    """In brackets of any kind, in groups, behind names, with decimal commas, with one unit behind all of it."""
+    exercise = question_about(load_robot("planar-2r"), ask, numeric=True, given={})
+    mark = Judge(exercise).mark(exercise.parts[0], answer)
+    assert mark.verdict is Verdict.RIGHT, mark

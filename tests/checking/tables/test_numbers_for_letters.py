@@ -90,15 +90,15 @@ def test_a_table_that_is_close_says_so_where_no_cell_can() -> None:
     assert (mark.verdict, mark.cells) == (Verdict.CLOSE, ())
     assert mark.remarks == ("right to within ten times the tolerance: look at the digits of its lengths",)
     right = Judge(exercise).mark(exercise.parts[0], "0, 0, 0, theta1; 400 mm, 0, 0, theta2")
-    assert (right.verdict, right.remarks) == (Verdict.EQUIVALENT, ("your end frame is shifted along x by -300 mm",))
+    assert (right.verdict, right.remarks) == (Verdict.EQUIVALENT, ("your end frame is shifted along x by -0.3 m",))
 
 
 def test_a_freedom_is_named_with_its_millimetres(tmp_path: Path) -> None:
-    """The base may stand elsewhere, and nobody is left to find out by how much."""
+    """The base may stand elsewhere, told in the unit of the sheet, and nobody is left to find out by how much."""
     mark = checked(robot("ur5e"), file_with(tmp_path, "ur5e", {"d1": "165.5 mm"}))
     assert (mark.verdict, mark.remarks) == (
         Verdict.EQUIVALENT,
-        ("your frame 0 sits elsewhere along z0, by -3 mm",),
+        ("your frame 0 sits elsewhere along z0, by -0.003 m",),
     )
     turned = checked(robot("ur5e"), file_with(tmp_path, "ur5e", {"a2": "425 mm"}))
     assert turned.verdict is Verdict.EQUIVALENT

@@ -20,7 +20,7 @@ from dhcli.kinematics.conventions import Row
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, add, negate, number
 from tests.checking.tables.robots_with_tables import NAMES, robot
-from tests.nightly import NIGHT, some
+from tests.nightly import NIGHT, paired, some
 
 ROOT = Path(__file__).parents[3] / "exercises"
 TURNS = tuple(map(Angle.in_degrees, (30, 90, 180)))
@@ -86,8 +86,7 @@ def test_the_slip_stands_where_an_exercise_says_to_look(name: str) -> None:
             assert not own or check_all(exercise, part) or not NIGHT
 
 
-@pytest.mark.parametrize("compare", COMPARED)
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize(("name", "compare"), paired(NAMES, COMPARED))
 def test_the_slip_stands_where_a_robot_says_to_look(name: str, compare: str) -> None:
     """Of every robot with a table, whatever is compared."""
     exercise = question_about_table(robot(name), robot(name).convention, compare)

@@ -249,7 +249,7 @@ def test_rows_of_numbers_get_the_joints_that_are_said() -> None:
         ("a,alpha,d,theta\n1,0,0,q1\n1,0,0,q1\n", {"convention": "standard"}, "q1 stands in two rows"),
         ("a,alpha,d,theta\n1,0,0,q1+q2\n", {"convention": "standard"}, "row 1 names q1 and q2"),
         ("a,alpha,d,theta\n1,0,0,q1]\n", {"convention": "standard"}, "x:2:"),
-        ("a,alpha,d,theta\n1,0,0,0\n", {"convention": "standard", "joints": "RR"}, "1 rows, and --joints RR"),
+        ("a,alpha,d,theta\n1,0,0,0\n", {"convention": "standard", "joints": "RR"}, "1 row, and --joints RR"),
         ("a,alpha,d,theta,type\n1,0,0,0,ball\n", {"convention": "standard"}, "'ball' is no kind of joint"),
         ("a,alpha,d,theta\n1,0,0,q1\n", {"convention": "standrad"}, "did you mean standard"),
         ("a,alpha,d,theta\n1,0,0,q1\n", {"convention": "standard", "units": "mn"}, "mn is no unit of length"),

@@ -22,6 +22,13 @@ class Drops(io.BytesIO):
         return super().read1(7 if size is None or size < 0 else min(7, size))
 
 
+def saved(array: object, version: tuple[int, int] | None = None) -> bytes:
+    """What numpy writes."""
+    stream = io.BytesIO()
+    np.lib.format.write_array(stream, np.asanyarray(array), version)
+    return stream.getvalue()
+
+
 def rows(
     content: str | bytes,
     robot: str = "scara",
@@ -44,7 +51,7 @@ def read(
     **options: Any,  # noqa: ANN401
 ) -> np.ndarray:
     """The joint values of the good rows, shape (N, n)."""
-    blocks = [block.q for block in rows(content, robot, **options).blocks()]
+    blocks = [block.values for block in rows(content, robot, **options).blocks()]
     return np.concatenate(blocks) if blocks else np.empty((0, 3))
 
 

@@ -125,7 +125,7 @@ def test_a_block_is_read_at_once_only_as_it_would_be_line_by_line(lines: list[st
     assert isinstance(reader, JsonRows)
     careful = reader._line_by_line(1, lines)
     quick = reader._at_once(1, lines) or careful
-    assert quick.q.tolist() == careful.q.tolist()
+    assert quick.values.tolist() == careful.values.tolist()
     assert list(quick.rows) == list(careful.rows)
     assert quick.bad_rows == careful.bad_rows
 

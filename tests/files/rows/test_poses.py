@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
+import gzip
 import io
 import json
-import sys
-from pathlib import Path
 from unittest.mock import patch
 
 import numpy as np
@@ -13,9 +12,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhcli.errors import FileError, Problem
+from dhcli.errors import FileError
+from dhcli.files.rows import csvrows
 from dhcli.files.rows import poses as reading
-from dhcli.files.rows.poses import BLOCK, MATRIX, pose_blocks
+from dhcli.files.rows.blocks import Block
+from dhcli.files.rows.posecolumns import MATRIX, TURNS
+from dhcli.files.rows.poses import BLOCK, pose_rows
+from dhcli.files.rows.source import Source
+from dhcli.geometry.euler import EulerAngles, Order
+from dhcli.geometry.many import table
+from dhcli.kinematics.placement import ORIENTATIONS
+from dhcli.kinematics.pose import Pose
+from tests.files.rows.tables import saved
 
 pytestmark = pytest.mark.usefixtures("json_by")
 
@@ -52,28 +60,33 @@ json_lines = st.one_of(
 )
 
 
+def blocks(content: str | bytes, path: str = "-", *, whole: bool = True) -> list[Block]:
+    """The blocks of a file of this content."""
+    stream = io.BytesIO(content.encode() if isinstance(content, str) else content)
+    return list(pose_rows(Source(path, stream), whole=whole).blocks())
+
+
 def read(text: str) -> tuple[list[tuple[int, object]], list[str]]:
     """Where each pose stands, and it; and what is wrong with the others."""
-    bad: list[Problem] = []
-    with patch.object(sys, "stdin", io.StringIO(text, newline="")):
-        found = [
-            (place, pose)
-            for poses, places in pose_blocks("-", bad)
-            for place, pose in zip(places, poses.tolist(), strict=True)
-        ]
-    return found, list(map(str, bad))
+    found, bad = list[tuple[int, object]](), list[str]()
+    for block in blocks(text):
+        found += zip(block.rows, block.values.tolist(), strict=True)
+        bad += map(str, block.bad)
+    return found, bad
 
 
 def carefully(text: str) -> tuple[list[tuple[int, object]], list[str]]:
     """The same with an eye on every row."""
-    nothing = {"plain_table": lambda *_: None, "_objects_at_once": lambda _: None}
-    with patch.multiple(reading, BLOCK=3, **nothing):
+    with (
+        patch.multiple(reading, BLOCK=3, _objects_at_once=lambda _: None),
+        patch.object(csvrows, "plain_table", lambda *_: None),
+    ):
         return read(text)
 
 
 @given(st.lists(csv_lines, max_size=9), st.sampled_from(["\n", "\r\n"]), st.booleans())
 def test_a_block_of_csv_is_read_at_once_only_as_it_would_be_row_by_row(lines: list[str], end: str, ends: bool) -> None:
-    """Also where what is quoted goes on in the next line."""
+    """In blocks of any length."""
     text = end.join(["p_x,p_y,p_z", *lines]) + end * ends
     with patch.object(reading, "BLOCK", 4):
         assert repr(read(text)) == repr(carefully(text))  # NaN is none the less the same
@@ -103,20 +116,15 @@ def test_what_is_written_is_read_to_the_last_bit(matrices: list[list[tuple[float
         assert poses[:, 3].tolist() == [[0, 0, 0, 1]] * len(numbers)
 
 
-def test_a_row_is_told_by_its_line_in_any_block(tmp_path: Path) -> None:
+def test_a_row_is_told_by_its_line_in_any_block() -> None:
     """The rows around it are there."""
-    path = tmp_path / "p.csv"
     lines = ["0.1,0.2,0.3"] * (2 * BLOCK)
     lines[BLOCK + 5] = "0.1,x,0.3"
-    path.write_text("p_x,p_y,p_z\n" + "\n".join(lines), "utf-8")
-    bad: list[Problem] = []
-    places = [place for _, each in pose_blocks(str(path), bad) for place in each]
-    assert places == [k for k in range(2, 2 * BLOCK + 2) if k != BLOCK + 7]
-    assert [str(problem) for problem in bad] == [
-        f"{path}:{BLOCK + 7}: p_y 'x' is not a number (a cell is a plain number, such as -0.25 or 1e-3)"
+    found, bad = read("p_x,p_y,p_z\n" + "\n".join(lines))
+    assert [place for place, _ in found] == [k for k in range(2, 2 * BLOCK + 2) if k != BLOCK + 7]
+    assert bad == [
+        f"standard input:{BLOCK + 7}:5: p_y 'x' is not a number (a cell is a plain number, such as -0.25 or 1e-3)"
     ]
-    with pytest.raises(FileError, match="p_y 'x'"):
-        list(pose_blocks(str(path)))
 
 
 @pytest.mark.parametrize(
@@ -154,23 +162,70 @@ ROWS = [[0.5, 0.25, -3.0], [1e-3, 7.0, 0.0]]
         'p_x;p_y;p_z\n"0,5";"0,25";"-3"\n0.001;7;0',
     ],
 )
-def test_a_spreadsheet_writes_the_same_poses_in_many_ways(text: str, tmp_path: Path) -> None:
+def test_a_spreadsheet_writes_the_same_poses_in_many_ways(text: str) -> None:
     """As joint values are: another sign between cells, decimal commas, heads in capitals, blank lines at the end."""
-    path = tmp_path / "my größe.csv"
-    path.write_text(text, "utf-8")
-    assert [row for poses, _ in pose_blocks(str(path)) for row in poses.tolist()] == ROWS
+    assert [row for block in blocks(text, "p.csv") for row in block.values.tolist()] == ROWS
 
 
 def test_a_comma_beside_a_point_is_not_taken_for_a_decimal_one() -> None:
     """It may group thousands; the line is that in the file."""
     found, bad = read("sep=;\np_x;p_y;p_z\n1;2;3\n1,234;0.5;0\n")
     assert found == [(3, [1.0, 2.0, 3.0])]
-    assert bad == ["standard input:4: p_x '1,234' is not a number (write 1.234, with a point)"]
+    assert bad == ["standard input:4:1: p_x '1,234' is not a number (write 1.234, with a point)"]
 
 
-def test_a_table_in_utf_16_is_called_so(tmp_path: Path) -> None:
-    """As spreadsheets save what they call Unicode."""
-    path = tmp_path / "p.csv"
-    path.write_text("p_x\tp_y\tp_z\n1\t2\t3\n", "utf-16")
-    with pytest.raises(FileError, match="is written in UTF-16"):
-        list(pose_blocks(str(path)))
+@pytest.mark.parametrize(
+    ("content", "path", "said"),
+    [
+        ("p_x\tp_y\tp_z\n1\t2\t3\n".encode("utf-16"), "p.csv", "p.csv: is written in UTF-16"),
+        (gzip.compress(b"p_x,p_y,p_z\n1,2,3\n", mtime=0), "p.csv", "p.csv: is compressed by gzip"),
+        (b"p_x,p_y,p_z\n1,2,\xb03\n", "p.csv", "p.csv:2:5: is not UTF-8"),
+        (b"1,2,3\n", "p.csv", "p.csv:1: no column is called p_x, p_y, p_z"),
+        (b"p_x,p_y,P_X[mm],p_z\n1,2,3,4\n", "p.csv", "p.csv:1:9: p_x has two columns (keep one of them)"),
+        (b"p_x,p_y,p_z\n1,2,3\n", "p.npy", "p.npy: is no .npy file"),
+        (saved(np.zeros((2, 3, 3))), "p.npy", "p.npy: has the shape (2, 3, 3), and (N, 4, 4) or (N, 3) is wanted"),
+        (saved(np.zeros((2, 3), complex)), "p.npy", "p.npy: holds complex128, not real numbers"),
+        (saved(np.zeros(()))[:-1], "p.npy", "p.npy: has the shape ()"),
+    ],
+)
+def test_what_holds_no_poses_is_called_what_it_is(content: bytes, path: str, said: str) -> None:
+    """As where joint values are read."""
+    with pytest.raises(FileError) as caught:
+        blocks(content, path)
+    assert str(caught.value).startswith(said)
+
+
+@pytest.mark.parametrize("array", [np.arange(48.0).reshape(3, 4, 4), np.arange(9.0).reshape(3, 3)])
+@pytest.mark.parametrize("order", ["C", "F"])
+def test_arrays_of_poses_are_read_from_any_stream_in_either_order_of_memory(array: np.ndarray, order: str) -> None:
+    """Whatever it is called."""
+    with patch.object(reading, "BLOCK", 2):
+        found = blocks(saved(np.array(array, order=order)))
+    assert [row for block in found for row in block.rows] == [0, 1, 2]
+    assert np.array_equal(np.concatenate([block.values for block in found]), array)
+
+
+@pytest.mark.parametrize("form", ["quaternion", "axis-angle"])
+def test_an_orientation_without_a_direction_is_a_bad_row(form: str) -> None:
+    """The rows around it are poses; the size of the others does not matter."""
+    heads = TURNS[form]
+    good = ",".join(["1e200"] + ["0"] * (len(heads) - 1))
+    none = ",".join(["0"] * len(heads))
+    text = f"p_x,p_y,p_z,{','.join(heads)}\n1,2,3,{good}\n1,2,3,{none}\n4,5,6,{good}\n"
+    for way in (read, carefully):
+        found, bad = way(text)
+        assert [place for place, _ in found] == [2, 4]
+        assert [np.array(pose)[:3, 3].tolist() for _, pose in found] == [[1, 2, 3], [4, 5, 6]]
+        assert np.allclose([np.array(pose)[:3, :3] for _, pose in found], np.eye(3))
+        assert bad == [f"standard input:3: {', '.join(heads)} are all 0: that is no {form}"]
+
+
+@pytest.mark.parametrize("form", TURNS)
+def test_columns_of_orientations_are_the_rotations_that_fk_says(form: str) -> None:
+    """Many at once, by the formulas for one."""
+    rotation = EulerAngles(Order("zyx"), (0.3, -0.4, 0.5)).rotation()
+    pose = Pose((*((*row, 0.25 * k) for k, row in enumerate(rotation)), (0.0, 0.0, 0.0, 1.0)))
+    numbers = table(ORIENTATIONS["fixed-xyz" if form == "rpy" else form], np.array(pose.rows)[None])[0].tolist()
+    text = ",".join(["p_x", "p_y", "p_z", *TURNS[form]]) + "\n" + ",".join(map(repr, [0.0, 0.25, 0.5, *numbers]))
+    [(_, found)], _ = read(text)
+    assert np.allclose(found, pose.rows)

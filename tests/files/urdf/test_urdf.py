@@ -103,7 +103,7 @@ def test_typed_right_angles_are_right_angles_and_can_be_kept() -> None:
     """By how much the tip moves is said, and is true."""
     robot = load_robot(DATA / "three-joints.urdf", tip="tool0")
     assert robot.remarks[0].startswith(
-        "3 of 12 angles are multiples of 15° rounded (1.5708 -> 90°); the tip moves by at most "
+        "taken for multiples of 15°: 3 of 12 angles (1.5708 -> 90°); the tip moves by at most "
     )
     typed = load_robot(DATA / "three-joints.urdf", tip="tool0", as_typed=True)
     q = [0.3, -1.1, 0.5]

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhcli.errors import FileError, Place
+from dhcli.errors import FileError, Place, Problem
 from dhcli.files.yaml.placed import (
     DEEPEST,
     MOST_NODES,
@@ -371,3 +371,57 @@ def test_a_decimal_comma_between_braces_is_told_as_what_it_is() -> None:
     inner = root.entries[0][1]
     assert isinstance(inner, PlacedMapping)
     assert [key.text for key, _ in inner.entries][-2:] == ["x", "3"]
+
+
+@pytest.mark.parametrize(
+    ("text", "told", "value"),
+    [
+        ("{b: point (1, 2,3) of pose 0..2, c: 1}", "1:8: b: | write b: ", "point (1, 2,3) of pose 0..2"),
+        ("{c: 1, b: atan2(f(1, 2), 3)}", "1:14: b: | write b: ", "atan2(f(1, 2), 3)"),
+        ('{b: product "a, b", c: 1}', "1:8: b: | write b: ", 'product "a, b"'),
+        ("[it's Rot(z, 90°), then more]", "1:5: | write ", "it's Rot(z, 90°)"),
+        ("{b: [1, 2] of x, c: 1}", "1:15: | write b: ", "[1, 2] of x"),
+        ("{b: f([1, 2], 3), c: 1}", "1:10: | write b: ", "f([1, 2], 3)"),
+        ('{c: 1, b: "product "Rot(z, 90°)""}', "1:24: | write b: ", 'product "Rot(z, 90°)"'),
+    ],
+)
+def test_a_text_that_a_comma_or_a_bracket_cuts_is_shown_whole_in_quotes(text: str, told: str, value: str) -> None:
+    """Once, at its beginning, or where the reading ends; and put into the quotes shown it is read."""
+    with pytest.raises(FileError) as error:
+        read_yaml(f"a: {text}\n", "f", is_foreign=True)
+    (problem,) = error.value.problems
+    place, hint = told.split("| ")
+    assert f"{problem.place}: {problem.message}".startswith(f"f:{place}".rstrip())
+    assert problem.hint.startswith(hint)
+    shown = problem.hint.removeprefix("write ")
+    root = read_yaml(f"{{{shown}, c: 1}}" if shown.startswith("b: ") else f"{{b: {shown}}}", "f", is_foreign=True)
+    assert [scalar.text for scalar in scalars(root)][:2] == ["b", value]
+
+
+def test_what_a_comma_has_cut_is_read_as_it_was_meant() -> None:
+    """So that nothing follows from it; lists in lines and texts in quotes have no such commas."""
+    problems: list[Problem] = []
+    root = read_yaml("a: {b: f(1, 2), c: 3, d: [g(4, 5), 6]}\n", "f", problems, is_foreign=True)
+    assert [scalar.text for scalar in scalars(root)] == [*"ab", "f(1, 2)", "c", "3", "d", "g(4, 5)", "6"]
+    assert len(problems) == 2
+    assert read_yaml("- f(1\n- 2)\n- 'g(3, 4)'\n- [':(', ':)']\n", "f", is_foreign=True)
+
+
+@pytest.mark.parametrize(
+    ("text", "at", "hint"),
+    [
+        ("a: 1\nb:2\nc: 3\n", "2:1", "a colon and a space stand behind a key: b: 2"),
+        ("a: 1\nb = 2\nc: 3\n", "2:1", "a colon and a space stand behind a key: b: 2"),
+        ("a: 1\n// no\nc: 3\n", "2:1", "use # for a comment"),
+        ("a: |\nno\nc: 3\n", "2:1", "text below 'a: |' is indented more than its key"),
+        ("a:\n   - 1\n  - 2\n", "3:3", "the '- ' of one list stand in one column, here in column 4"),
+        ("- a: 1, b: 2\n", "1:10", "several keys on one line stand in braces: {a: 1, b: 2}"),
+        ("- {a: [1, 2]°, b: 2}\n", "1:13", "the unit stands behind each number: [1°, 2°]"),
+        ("- {a: [1, 2] mm, b: 2}\n", "1:14", "the unit stands behind each number: [1 mm, 2 mm]"),
+    ],
+)
+def test_a_slip_of_form_is_told_with_what_would_be_right(text: str, at: str, hint: str) -> None:
+    """In the author's own words where they can be mended."""
+    with pytest.raises(FileError) as error:
+        read_yaml(text, "f", is_foreign=True)
+    assert [(str(problem.place), problem.hint) for problem in error.value.problems] == [(f"f:{at}", hint)]

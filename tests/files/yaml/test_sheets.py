@@ -90,6 +90,27 @@ def test_a_blank_sheet_for_numbers_names_its_unit(name: str, unit: str) -> None:
     assert f"lengths in {unit} unless a unit stands with them" in write_sheet(load_exercise(name))
 
 
+def test_where_no_unit_is_named_a_blank_sheet_names_none() -> None:
+    """And what is wrong is told without one."""
+    exercise = load_exercise("bajd/composed-pose")
+    assert "Numbers without a unit" in write_sheet(exercise)
+    said = mark(exercise, exercise.part("h"), "0 0 1 14; 1 0 0 8; 0 1 0 -6; 0 0 0 1").remarks
+    assert said == ("the rotation is right; the position is off by 6 along x, 14 along y, -20 along z",)
+
+
+def test_a_table_in_numbers_says_that_a_joint_has_a_variable(tmp_path: Path) -> None:
+    """Whose value stands among what is given, and would be no cell of a table; in letters nobody would think so."""
+    path = tmp_path / "x.yaml"
+    path.write_text(
+        "format: 1\ntitle: x\nsource: {document: x, item: x}\nrobot: planar-2r\ntask: x\nnumeric: true\n"
+        "given: {theta1: 30°, theta2: 45°}\nparts:\n  - {id: table, ask: table standard, hints: [x]}\n",
+        "utf-8",
+    )
+    said = "in the cell that a joint changes stands its variable: theta1, theta2"
+    assert said in write_sheet(load_exercise(path))
+    assert said not in write_sheet(load_exercise("yim/planar-two-links"))
+
+
 def test_the_task_can_hold_what_yaml_would_choke_on(sheet: Path) -> None:
     """Colons, quotes, dashes: a comment is a comment."""
     from dhcli.files.yaml.exercises import read_exercise

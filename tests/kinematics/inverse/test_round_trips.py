@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from dhcli import load_robot
+from dhcli import forward, inverse, load_robot, manipulability
 from dhcli.kinematics.inverse import rule_all
 from dhcli.kinematics.inverse.anatomy import NOTHING
 from dhcli.kinematics.inverse.planning import find_plan
@@ -17,6 +17,7 @@ from dhcli.kinematics.inverse.question import ask
 from dhcli.kinematics.inverse.running import run
 from dhcli.kinematics.inverse.solving import solve
 from dhcli.kinematics.inverse.tasks import TASKS
+from tests.kinematics.arms import COBOT
 from tests.kinematics.inverse.arms import CLASSES, Class, measured, odd, random_arm, random_motions
 from tests.nightly import NIGHT, some
 
@@ -151,6 +152,18 @@ def test_an_arm_as_it_was_built_finds_its_joint_values_again_beside_singular_pos
     apart = found.motions[:, None] - found.motions
     apart = np.abs(np.where(arm.turning, np.angle(np.exp(1j * apart)), apart)).max(axis=2)
     assert (apart > 1e-9).sum() == len(gap) * (len(gap) - 1), "a solution is given twice"
+
+
+def test_joint_values_at_right_angles_are_found_again_though_solutions_share_an_angle() -> None:
+    """Roots that have the third joint in common come as one eigenvalue, whose eigenvectors are mixtures of them."""
+    rng = np.random.default_rng(0)
+    draws = rng.choice([0, np.pi / 2, -np.pi / 2, np.pi / 4, np.pi, 0.3], (300 if NIGHT else 25, 6))
+    for q in [(0, 0, 0, 0, -np.pi / 2, 0), (0.3, np.pi, np.pi, 0, np.pi / 2, 0.3), *draws]:
+        found = inverse(COBOT, forward(COBOT, list(q)))
+        assert len(found)
+        if manipulability(COBOT, list(q)) > 1e-6:
+            gap = np.abs(np.angle(np.exp(1j * (np.array(found) - q)))).max(axis=1)
+            assert (gap < 1e-6).sum() == 1
 
 
 def test_where_three_joints_have_no_real_angles_nothing_is_found(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -172,8 +172,11 @@ def test_what_is_found_by_trying_is_said_to_be_perhaps_not_all() -> None:
         "4 moves by 3 variables: looked for from 144 places, which may not find all",
     )
     assert inverse(solved, forward(solved, [0.3, 0.5, 0.1])).remarks == ()
-    pose[0, 3] += 2
-    assert "nothing that was tried leads there" in inverse(tried, pose).why
+    far, inside = pose.copy(), pose.copy()
+    far[0, 3] += 2
+    inside[:2, 3] = 0.3 * pose[:2, 0]
+    assert "nothing that was tried leads there" in inverse(tried, inside).why
+    assert inverse(tried, far).why.startswith("the point is 3.103 m from the first joint, and the links laid")
     pose[2, 3] = 0.1
     assert inverse(tried, pose).why == "z must be 0 m, is 0.1 m"
 
@@ -242,3 +245,20 @@ def test_a_path_may_hold_a_variable_that_moves_joints_together_with_others() -> 
     q = np.array([0.3, 0.8, 0.2]) + np.linspace(0, 1, 20)[:, None] * [0.5, 0.0, 0.3]
     places = forward_batch(robot, q)[:, :3, 3]
     assert follow(robot, places, q[0], task="position", hold={"q2": 0.8}).q == pytest.approx(q, abs=1e-9)
+
+
+def test_what_coupling_keeps_is_a_reason_and_what_nearly_reaches_is_told() -> None:
+    """A palletizer's hand hangs straight down though five moves of their own could tilt it."""
+    robot = built("palletizer", *COUPLED["palletizer"])
+    pose = matrix(robot, [0.3, 1.1, -0.2, 0.4])
+    for degrees in (10, 0.2):
+        turn = np.radians(degrees)
+        tilted = pose.copy()
+        tilted[:3, 1:3] = pose[:3, 1:3] @ [[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]]
+        found = inverse(robot, tilted)
+        assert f"the last z axis always points along -z, yours is {degrees}° off" in found.why
+        if degrees < 1:
+            assert found.closest is not None
+            assert np.abs(matrix(robot, found.closest) - tilted).max() < 0.005
+        else:
+            assert found.closest is None

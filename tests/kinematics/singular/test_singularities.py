@@ -12,7 +12,7 @@ import pytest
 
 from dhcli import jacobian, load_robot, singularities
 from dhcli.algebra.floats import Floats
-from dhcli.algebra.residues import Residues
+from dhcli.algebra.residues import Residues, field_of_the_day
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.moves import Rot, Trans
@@ -28,7 +28,17 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr, Product, Symbol, number, power
 from dhcli.notation.walk import operations
 from dhcli.notation.writer import write
-from tests.kinematics.arms import FIVE, IIWA, PAN_TILT, PLANAR_4R, hinges, joint_point, moving_robots, with_values
+from tests.kinematics.arms import (
+    COBOT,
+    FIVE,
+    IIWA,
+    PAN_TILT,
+    PLANAR_4R,
+    hinges,
+    joint_point,
+    moving_robots,
+    with_values,
+)
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -248,6 +258,63 @@ def test_simple_factors_are_said_as_joint_values() -> None:
         "theta3 is 90° or -90°"
     ]
     assert [f.exponent for f in singularities(load_robot("stanford")).factors if f.joints == ("d3",)] == [2]
+
+
+ELBOW = Robot.from_dh(
+    [
+        *((0.15, "-90°", 0.45, "q1"), (0.6, 0, 0, "q2 - 90°"), (0.115, "-90°", 0, "q3")),
+        *((0, "90°", 0.63, "q4"), (0, "-90°", 0, "q5"), (0, 0, 0.095, "q6")),
+    ],
+    variables=[f"q{i}" for i in range(1, 7)],
+)
+"""An arm in numbers: the factor of its elbow has a root among the residues of every second prime only."""
+
+
+def fields(robot: Robot, count: int = 8) -> list[Singularities]:
+    """What is found with several primes."""
+    found = []
+    for _ in range(count):
+        field_of_the_day.cache_clear()
+        found.append(singularities(robot.copy()))
+    return found
+
+
+def test_what_a_factor_in_numbers_means_does_not_depend_on_the_prime() -> None:
+    """It is said in words each time, and in joint values at which the rank falls."""
+    for found in fields(ELBOW):
+        (elbow,) = (factor for factor in found.factors if factor.joints == ("q3",))
+        assert elbow.words.endswith("lie in one plane: the arm is stretched or folded")
+        assert elbow.angles == "q3 is 100.34° or -79.66°"
+    for q3 in (math.atan2(0.63, -0.115), math.atan2(-0.63, 0.115)):
+        assert abs(math.degrees(q3) - {True: 100.34, False: -79.66}[q3 > 0]) < 0.005
+        sizes = np.linalg.svd(jacobian(ELBOW, [0.3, 0.5, q3, 0.7, 0.9, 1.1]), compute_uv=False)
+        assert sizes[-1] < 1e-12 < sizes[-2]
+
+
+def test_a_picture_that_holds_at_special_points_alone_is_not_told() -> None:
+    """The one factor of a wrist with an offset holds three joints and more: its points are drawn at random."""
+    (factor,) = {found.factors for found in fields(COBOT)}.pop()
+    assert factor.words == "the columns of q1, q2, q3, q4, q5 and q6 become dependent"
+    assert len({found.factors for found in fields(COBOT)}) == 1
+
+
+@pytest.mark.parametrize(
+    ("d4", "said"),
+    [(0.0, "q3 is 0 or 180°"), (0.115, "q3 is 135° or -45°"), (-0.115, "q3 is 45° or -135°")],
+)
+def test_joint_values_are_told_of_a_factor_in_numbers(d4: float, said: str) -> None:
+    """Of the elbow, a3 s3 + d4 c3."""
+    rows = [(0.1, "-90°", 0.4, "q1"), (0.6, 0, 0, "q2"), (0.115, "-90°", 0, "q3")]
+    arm = Robot.from_dh(rows, variables=["q1", "q2", "q3"])
+    found = singularities(arm, point=(0, 0, d4))
+    assert said in [factor.angles for factor in found.factors]
+
+
+def test_a_factor_that_no_joint_value_makes_zero_says_so() -> None:
+    """Its number is larger than its sine and cosine together."""
+    arm = Robot.from_dh([(0.5, 0, 0, "q1"), (0.2, "90°", 0, "q2"), (0.1, 0, 0, "q3")], variables=["q1", "q2", "q3"])
+    (never,) = (factor for factor in singularities(arm).factors if factor.angles == "at no value of q3")
+    assert not never.words + never.lost
 
 
 def test_seven_joints_have_conditions() -> None:

@@ -16,7 +16,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli import forward, jacobian, list_robots, load_robot
-from dhcli.cli.shell import options
+from dhcli.cli.shell import written
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.generated import Function, forward_function, jacobian_function
 from dhcli.kinematics.robot import Robot
@@ -231,4 +231,4 @@ def test_what_somebody_wrote_stays_in_the_comment() -> None:
 
 def test_the_command_knows_every_language() -> None:
     """Its list and that of the writers are one."""
-    assert set(options.LANGUAGES) == set(LANGUAGES)
+    assert set(written.LANGUAGES) == set(LANGUAGES)

@@ -7,6 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -19,12 +20,14 @@ from dhcli.kinematics.inverse.derive import derive
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import name_of
 from dhcli.notation.tree import ZERO, Symbol, add, multiply, negate, power
-from dhcli.render.code.inverses import inverse_code, lengths_used, shared
+from dhcli.render.code.inverses import inverse_code
 from dhcli.render.code.languages import LANGUAGES
+from dhcli.render.code.stages import lengths_used, shared
 from dhcli.render.look import Look
 from tests.render.code.running import HERE, Call, results
 
-ROBOTS = ("planar-2r", "scara-yim", "cylindrical", "stanford", "puma560", "ur5e")
+FEW = ("planar-2r", "scara-yim", "zhou-3r", "spherical-wrist", "palletizer")
+ROBOTS = (*FEW, "cylindrical", "stanford", "puma560", "ur5e")
 IN_NUMBERS = ("planar-2r", "stanford")
 Q = (0.4, 0.7, 0.5, -0.6, 0.8, 1.1)
 
@@ -45,14 +48,9 @@ def call(derivation: Derivation, language: str, pose: np.ndarray, lengths: Seque
     robot = derivation.robot
     joints = sum(name_of(step.atom) in robot.variables for step in derivation.steps)
     shape = (derivation.branches, joints)
-    own = [float(robot.parameters[n].value) for n in lengths_used(derivation)] if language == "c" else []  # type: ignore[union-attr]  # numbers
-    return Call(code(derivation, language), "inverse", lengths or own, shape, pose.tolist())
-
-
-def _lengths(derivation: Derivation) -> list[str]:
-    from dhcli.render.code.inverses import lengths_used
-
-    return lengths_used(derivation)
+    own = [float(robot.parameters[n].value) for n in lengths_used(derivation)]  # type: ignore[union-attr]  # numbers
+    given = [*(lengths or own), 1e-3] if derivation.left else lengths or own
+    return Call(code(derivation, language), "inverse", given if language == "c" else lengths, shape, pose.tolist())
 
 
 @pytest.mark.parametrize("language", HERE)
@@ -84,6 +82,46 @@ def test_a_pose_out_of_reach_has_no_solution(language: str, tmp_path: Path) -> N
     far[0, 3] = 5.0
     [found] = results(language, [call(derived("planar-2r"), language, far)], tmp_path)
     assert len(found) == 0
+
+
+def _beside(pose: np.ndarray, name: str) -> list[np.ndarray]:
+    """Poses beside one: lifted, and turned about either axis, each by more than the tolerance."""
+    lifted = pose.copy()
+    lifted[2, 3] += 0.02
+    turn = np.array([[1, 0, 0, 0], [0, 0.96, -0.28, 0], [0, 0.28, 0.96, 0], [0, 0, 0, 1]])
+    turned = [pose @ turn[np.ix_(axes, axes)] for axes in ((0, 1, 2, 3), (1, 2, 0, 3))]
+    return [lifted, *turned] if not derived(name).place_only else [lifted]
+
+
+@pytest.mark.parametrize("language", HERE)
+def test_a_pose_that_few_joints_cannot_take_has_no_solution(language: str, tmp_path: Path) -> None:
+    """None for what the engine has none for; those of a pose typed with four decimals are as many as of the pose."""
+    calls, wanted = list[Call](), list[int]()
+    for name in FEW:
+        robot, task = load_robot(name), "position" if derived(name).place_only else "pose"
+        pose = np.array(forward(robot, Q[: len(robot.variables)]).matrix)
+        for target in (pose, *_beside(pose, name)):
+            calls.append(call(derived(name), language, np.round(target, 4) if target is pose else target))
+            wanted.append(len(inverse(robot, target, task=task)))
+    found = [len(rows) for rows in results(language, calls, tmp_path)]
+    assert found == wanted
+    assert found.count(0) > len(FEW)
+
+
+def test_the_tolerance_is_an_argument() -> None:
+    """With a larger one the arm comes as near as it can; lengths keep their places before it."""
+    space: dict[str, Any] = {}
+    exec(code(derived("planar-2r"), "python"), space)  # noqa: S102  our own output, as a user runs it
+    pose = np.array(forward(load_robot("planar-2r"), Q[:2]).matrix)
+    pose[2, 3] = 0.02
+    assert space["inverse"](pose) == []
+    assert len(space["inverse"](pose, 0.4, 0.3, 0.03)) == len(space["inverse"](pose, tolerance=0.03)) == 2
+
+
+def test_what_six_joints_reach_is_not_checked_twice() -> None:
+    """Nor a position by three: what the formulas find leads back there."""
+    assert [name for name in ROBOTS if derived(name).left] == list(FEW)
+    assert "tolerance" not in code(derived("cylindrical"), "python")
 
 
 @pytest.mark.parametrize("language", HERE)
@@ -151,16 +189,16 @@ def test_what_would_be_divided_by_0_before_any_choice_has_no_solution(language: 
 def test_the_function_says_what_it_takes_and_gives() -> None:
     """The pose, the lengths, and in C room for as many rows as there may be."""
     text = code(derived("planar-2r"), "c")
-    assert "int inverse(const double T[4][4], double a1, double a2, double solutions[][2])" in text
+    assert "int inverse(const double T[4][4], double a1, double a2, double tolerance, double solutions[][2])" in text
     assert "solutions has room for 2 rows" in text
-    assert "def inverse(T, a1=0.4, a2=0.3):" in code(derived("planar-2r"), "python")
-    assert "function solutions = inverse(T, a1, a2)" in code(derived("planar-2r"), "matlab")
+    assert "def inverse(T, a1=0.4, a2=0.3, tolerance=0.001):" in code(derived("planar-2r"), "python")
+    assert "function solutions = inverse(T, a1, a2, tolerance)" in code(derived("planar-2r"), "matlab")
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_no_cosine_is_taken_twice(language: str) -> None:
     """Each of a joint or of a sum has a name."""
-    formulas, _ = shared(derived("puma560"))
+    formulas = shared(derived("puma560")).formulas
     turning = [one for one in formulas.definitions if str(one.expr).startswith(("c(", "s(", "cos", "sin"))]
     assert len({one.expr for one in turning}) == len(turning)
     text = code(derived("puma560"), language).partition("Source")[2]

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 REAL = tuple(name for name in ROBOTS if not name.startswith("dh-link"))
 MOVING = ("planar-four-bar", "peaucellier", "slider-crank", "watt", "planetary-gear", "cam-follower", "scissor")
 HELD = ("revolute", "spherical", "universal")
+COUNT_PATHS = "return document.querySelectorAll('svg path').length"
 IN_SPACE = ("bennett", "bricard", "goldberg", "sarrus", "hooke-coupling", "shaft-coupling", "delta", "stewart-gough")
 
 
@@ -47,11 +48,16 @@ def _open(browser: WebDriver, picture: Picture, folder: Path, name: str = "page"
 
 def _check_silent(browser: WebDriver) -> None:
     """No error and no word on the console, and no request but that for the page itself."""
-    assert browser.get_log("browser") == []
-    events = [json.loads(entry["message"])["message"] for entry in browser.get_log("performance")]
-    asked = [e["params"]["request"]["url"] for e in events if e["method"] == "Network.requestWillBeSent"]
+    asked = _asked(browser)
     assert asked
     assert all(url.startswith(("file:///", "data:")) for url in asked)
+
+
+def _asked(browser: WebDriver) -> list[str]:
+    """What was asked for since the last look, without an error or a word on the console."""
+    assert browser.get_log("browser") == []
+    events = [json.loads(entry["message"])["message"] for entry in browser.get_log("performance")]
+    return [e["params"]["request"]["url"] for e in events if e["method"] == "Network.requestWillBeSent"]
 
 
 @pytest.mark.parametrize("name", [*ROBOTS, *LINKAGES])
@@ -168,7 +174,9 @@ def _pictures() -> Iterator[Picture]:
 
 
 OVERLAPS = """
-const texts = document.querySelectorAll('svg text:not(.halo-text, .halo-text *, .t-caption)');
+const figure = new DOMParser().parseFromString(arguments[0], 'image/svg+xml').documentElement;
+document.body.replaceChildren(figure);
+const texts = figure.querySelectorAll('text:not(.halo-text, .halo-text *, .t-caption)');
 const boxes = [...texts].map(t => t.getBBox());
 let n = 0;
 boxes.forEach((a, i) => boxes.slice(i + 1).forEach(b => {
@@ -178,22 +186,30 @@ return [boxes.length, n];
 """
 
 
-def test_no_label_overlaps_another_in_the_letters_of_a_browser(browser: WebDriver, tmp_path: Path) -> None:
+def test_no_label_overlaps_another_in_the_letters_of_a_browser(browser: WebDriver) -> None:
     """By the boxes that Chromium gives them: every robot and linkage, as a figure."""
+    browser.get("about:blank")
     for picture in _pictures():
-        (tmp_path / "figure.svg").write_text(picture.svg(), "utf-8")
-        browser.get((tmp_path / "figure.svg").as_uri())
-        count, overlaps = browser.execute_script(OVERLAPS)
+        count, overlaps = browser.execute_script(OVERLAPS, picture.svg())
         assert count > 0
         assert overlaps == 0, picture
 
 
-@pytest.mark.parametrize("name", [*MOVING, *IN_SPACE])
-def test_a_driven_linkage_keeps_together_and_comes_back(name: str, browser: WebDriver, tmp_path: Path) -> None:
+@pytest.fixture(params=[*MOVING, *IN_SPACE], scope="module")
+def moved(request: pytest.FixtureRequest, browser: WebDriver, tmp_path_factory: pytest.TempPathFactory) -> Linkage:
+    """A linkage whose page is open, once for all that is done there."""
+    linkage = _linkage(request.param)
+    _open(browser, draw(linkage), tmp_path_factory.mktemp("moved"))
+    assert browser.execute_script(COUNT_PATHS) > 0
+    _check_silent(browser)
+    return linkage
+
+
+def test_a_driven_linkage_keeps_together_and_comes_back(moved: Linkage, browser: WebDriver) -> None:
     """Out to both sides and back: all joints within 1e-9, and the drawing as it was where it has one freedom."""
-    _open(browser, draw(_linkage(name)), tmp_path)
+    browser.execute_script("dhcli.home()")
     free, driver = browser.execute_script("return [dhcli.freedom, driver.name]")
-    assert free == analyse(_linkage(name)).instantaneous
+    assert free == analyse(moved).instantaneous
     for angle in (0.3, -0.4, 0.2):
         reached = browser.execute_script("return dhcli.drive(arguments[0], arguments[1])", driver, angle)
         assert browser.execute_script("return dhcli.gap()") < 1e-9
@@ -204,36 +220,30 @@ def test_a_driven_linkage_keeps_together_and_comes_back(name: str, browser: WebD
         assert max(map(abs, browser.execute_script("return dhcli.state()"))) < 1e-9
     browser.execute_script("dhcli.home()")
     assert not any(browser.execute_script("return dhcli.state()"))
-    _check_silent(browser)
+    assert _asked(browser) == []
 
 
-@pytest.mark.parametrize("name", [*MOVING, *IN_SPACE])
-def test_points_of_a_link_keep_their_distances_however_it_is_dragged(
-    name: str, browser: WebDriver, tmp_path: Path
-) -> None:
+def test_points_of_a_link_keep_their_distances_however_it_is_dragged(moved: Linkage, browser: WebDriver) -> None:
     """To 1e-9, each point pulled somewhere in turn."""
-    linkage = _linkage(name)
-    places = Places(linkage)
-    _open(browser, draw(linkage), tmp_path)
+    browser.execute_script("dhcli.home()")
+    places = Places(moved)
     named = dict(places.named())
     held = {
-        link: [
-            joint.point for joint in linkage.joints if link in joint.links and joint.pair.name in HELD and joint.point
-        ]
-        for link in linkage.links
+        link: [joint.point for joint in moved.joints if link in joint.links and joint.pair.name in HELD and joint.point]
+        for link in moved.links
     }
     pairs = [
         pair
         for points in held.values()
         for pair in itertools.combinations([n for n, at in named.items() if any(places.same(at, p) for p in points)], 2)
     ]
-    assert pairs or name in ("cam-follower", "hooke-coupling", "shaft-coupling")
+    assert pairs or moved.name in ("cam-follower", "hooke-coupling", "shaft-coupling")
     goals = [[x + 0.2 * places.size * ((-1) ** k) for k, x in enumerate(at)] for at in named.values()]
     script = (
         "for (const [name, goal] of arguments[0]) dhcli.drag(name, goal);"
         "return [dhcli.gap(), Object.fromEntries(arguments[1].map(n => [n, dhcli.at(n)]))]"
     )
-    flat = 2 if linkage.space.is_planar else 3
+    flat = 2 if moved.space.is_planar else 3
     pulled = [[_plain(n), goal[:flat]] for n, goal in zip(named, goals, strict=True)][-6:]
     gap, found = browser.execute_script(script, pulled, [_plain(n) for n in named])
     assert gap < 1e-9
@@ -242,7 +252,7 @@ def test_points_of_a_link_keep_their_distances_however_it_is_dragged(
     for one, other in pairs:
         now = math.dist(found[_plain(one)], found[_plain(other)])
         assert now == pytest.approx(math.dist(named[one], named[other]), abs=1e-9 * places.size)
-    _check_silent(browser)
+    assert _asked(browser) == []
 
 
 def _plain(name: str) -> str:
@@ -346,10 +356,10 @@ def test_peaucelliers_point_stays_on_its_line_through_all_that_the_crank_can_do(
 
 
 def test_pages_of_odd_robots_and_of_all_linkages_open_without_a_word(browser: WebDriver, tmp_path: Path) -> None:
-    """A name with markup among them."""
-    for name in LINKAGES:
+    """A name with markup among them; those that are moved are open there."""
+    for name in set(LINKAGES).difference(MOVING, IN_SPACE):
         _open(browser, draw(_linkage(name)), tmp_path, name)
-        assert browser.execute_script("return document.querySelectorAll('svg path').length") > 0
+        assert browser.execute_script(COUNT_PATHS) > 0
         _check_silent(browser)
     for number, robot in enumerate(odd_robots().values()):
         _open(browser, draw(robot), tmp_path, f"odd{number}")

@@ -17,7 +17,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhcli import DhcliError, draw, load_robot
+from dhcli import DhcliError, Robot, draw, load_robot
 from dhcli.errors import RobotError
 from dhcli.files.yaml.linkages import load_linkage
 from dhcli.mobility.linkage import Linkage
@@ -29,6 +29,7 @@ from dhcli.render.pictures.svg import svg
 from dhcli.render.pictures.terminal import terminal
 from dhcli.render.pictures.tikz import tikz
 from dhcli.scene.shapes import Figure, Shape, Text
+from dhcli.scene.table import cells as table_cells
 from dhcli.scene.words import Run
 from tests.scene.examples import LINKAGES, long_robot, odd_robots
 
@@ -293,6 +294,15 @@ def test_the_table_beside_has_the_columns_of_the_convention() -> None:
     assert {"ai−1", "αi−1", "di", "θi", "a2", "−90°"} <= cells("puma560")
     assert {"ai", "αi", "di", "θi", "d2"} <= cells("stanford")
     assert "ai−1" not in cells("stanford")
+
+
+@pytest.mark.parametrize("between", [" ", " * ", "*", ""])
+def test_moves_of_a_product_have_a_dot_between_them_beside_a_figure(between: str) -> None:
+    """However they were typed."""
+    links = f"links: ['Rot(z, q1){between}Trans(0.3, 0, 0){between}[1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]']"
+    robot = Robot.from_text(f"format: 1\ntitle: x\nsource: x\nconvention: product\nvariables: [q1]\n{links}\n")
+    (cell,) = ("".join(run.text for run in words) for words in table_cells(robot, robot.links[0]))
+    assert cell.startswith("Rot(z,q1)·Trans(0.3,0,0)·[1")
 
 
 def test_what_is_no_robot_a_size_that_is_none_and_a_linkage_with_joint_values_are_refused() -> None:

@@ -15,10 +15,20 @@ from dhcli.checking.diagnosis.mistakes.moves import IN_MOVES
 from dhcli.checking.diagnosis.mistakes.products import IN_PRODUCTS, OF_FRAMES
 from dhcli.checking.diagnosis.mistakes.record import Level, Mistake
 from dhcli.checking.diagnosis.mistakes.rows import IN_ROWS
+from dhcli.checking.diagnosis.mistakes.turns import IN_TURNS
 
 __all__ = ["BY_ID", "EVERY", "IN_TERMS", "MISTAKES", "Level", "Mistake"]
 
-MISTAKES = (*IN_THE_WHOLE, *OF_FRAMES, *IN_ROWS, *BETWEEN_ROWS, *IN_MOVES, *IN_PRODUCTS, *IN_WRITING)
+MISTAKES = (
+    *IN_THE_WHOLE,
+    *OF_FRAMES,
+    *IN_ROWS,
+    *IN_TURNS,
+    *BETWEEN_ROWS,
+    *IN_MOVES,
+    *IN_PRODUCTS,
+    *IN_WRITING,
+)
 """Every mistake about a matrix or a table, in the order in which they are tried and named."""
 
 EVERY = (*MISTAKES, *IN_TERMS)

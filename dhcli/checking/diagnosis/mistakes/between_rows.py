@@ -15,7 +15,7 @@ from dhcli.checking.diagnosis.mistakes.changes import all_rows, in_row, value_of
 from dhcli.checking.diagnosis.mistakes.record import Catalogue, Level, Made
 from dhcli.checking.diagnosis.mistakes.rows import a_sign, d_sign, theta_sign
 from dhcli.checking.diagnosis.result import Rank
-from dhcli.checking.diagnosis.work import Setting, Work
+from dhcli.checking.diagnosis.work import Factor, Setting, Work
 from dhcli.kinematics.conventions import Row
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import natural_key
@@ -65,12 +65,16 @@ def theta_other(work: Work, setting: Setting) -> Made:
             continue
         near = every.index(own[0][0])
         for other in every[max(0, near - 1) : near + 2] if setting.numeric or len(every) > MANY else every:
-            terms = ((other, own[0][1]),)
-            row = replace(step.row, theta=replace(step.row.theta, terms=terms))
-            if not _hardly_differ(row.theta, step.row.theta, setting):
-                made = partial(in_row, step, row, setting.convention)
-                factor = setting.factor((theta_other, other, step), made)
-                yield f"{step.name} {other}", work.with_step(index, factor or step)
+            factor = setting.factor((theta_other, other, step), partial(_with_angle, step, other, setting))
+            if factor is not None:
+                yield f"{step.name} {other}", work.with_step(index, factor)
+
+
+def _with_angle(step: Factor, name: str, setting: Setting) -> Factor | None:
+    """The factor with another joint angle in its row; None where that is hardly another angle."""
+    assert step.row is not None  # noqa: S101
+    row = replace(step.row, theta=replace(step.row.theta, terms=((name, step.row.theta.terms[0][1]),)))
+    return None if _hardly_differ(row.theta, step.row.theta, setting) else in_row(step, row, setting.convention)
 
 
 @BETWEEN_ROWS(
@@ -86,10 +90,16 @@ def theta_zero(work: Work, setting: Setting) -> Made:
     for index, step in enumerate(work.steps):
         if step.row is None or not setting.numeric or not step.row.theta.names & set(setting.variables):
             continue
-        row = replace(step.row, theta=replace(step.row.theta, terms=()))
-        if value_of(step.row.theta, setting) != row.theta:
-            factor = setting.factor((theta_zero, step), partial(in_row, step, row, setting.convention))
-            yield step.name, work.with_step(index, factor or step)
+        factor = setting.factor((theta_zero, step), partial(_at_zero, step, setting))
+        if factor is not None:
+            yield step.name, work.with_step(index, factor)
+
+
+def _at_zero(step: Factor, setting: Setting) -> Factor | None:
+    """The factor without the joint angle of its row; None where that is 0."""
+    assert step.row is not None  # noqa: S101
+    row = replace(step.row, theta=replace(step.row.theta, terms=()))
+    return None if value_of(step.row.theta, setting) == row.theta else in_row(step, row, setting.convention)
 
 
 @BETWEEN_ROWS(

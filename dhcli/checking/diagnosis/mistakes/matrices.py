@@ -169,6 +169,34 @@ def entry_sign(work: Work, _setting: Setting) -> Made:
 
 
 @IN_WRITING(
+    "row-sign",
+    "all signs in row {where} are turned round",
+    "look at the signs in row {where}",
+    rank=Rank.SYMPTOM,
+    alone=True,
+)
+def row_sign(work: Work, _setting: Setting) -> Made:
+    """One coordinate of all axes, and of the position, with the other sign."""
+    if work.question.piece in ("pose", "rotation"):
+        for k in range(3):
+            yield f"{k + 1}", _rewritten(work, Negative((k,)))
+
+
+@IN_WRITING(
+    "column-sign",
+    "all signs in column {where} are turned round",
+    "look at the signs in column {where}",
+    rank=Rank.SYMPTOM,
+    alone=True,
+)
+def column_sign(work: Work, _setting: Setting) -> Made:
+    """One axis, or the position, with the other sign."""
+    if work.question.piece in ("pose", "rotation"):
+        for k in range(work.question.shape[1]):
+            yield f"{k + 1}", _rewritten(work, Negative(column=k))
+
+
+@IN_WRITING(
     "given-sign",
     "the sign of the {where} coordinate that was given is turned round",
     "look at the signs of the coordinates that were given",

@@ -60,6 +60,7 @@ def twice(work: Work, _setting: Setting) -> Made:
     "translation-not-rotated",
     "the positions are added without turning them into the reference frame",
     "in which frame is each shift measured?",
+    rank=Rank.SYMPTOM,  # of a planar arm the position of somebody who takes every angle from x0
 )
 def unrotated(work: Work, _setting: Setting) -> Made:
     """Positions added as they stand."""
@@ -87,6 +88,28 @@ def _factored(work: Work) -> Work:
 def _filled(row: Row) -> int:
     """Cells of a row that are not zero."""
     return sum((row.a != ZERO, not row.alpha.is_zero, row.d != ZERO, not row.theta.is_zero))
+
+
+@OF_FRAMES(
+    "tool-forgotten",
+    "the tool is forgotten: this ends at the frame of the last link",
+    "where does the arm end: at the frame of its last link, or at its tool?",
+)
+def tool_forgotten(work: Work, _setting: Setting) -> Made:
+    """The pose of frame n where that of the tool is asked."""
+    if len(work.steps) > 1 and work.steps[-1].name == "tool":
+        yield "", replace(work, steps=work.steps[:-1])
+
+
+@OF_FRAMES(
+    "base-forgotten",
+    "the base is forgotten: this is seen from the frame of the first joint",
+    "from where is it seen: from the base, or from the frame of the first joint?",
+)
+def base_forgotten(work: Work, _setting: Setting) -> Made:
+    """The pose seen from frame 0 where the base is asked."""
+    if len(work.steps) > 1 and work.steps[0].name == "base":
+        yield "", replace(work, steps=work.steps[1:])
 
 
 @OF_FRAMES(

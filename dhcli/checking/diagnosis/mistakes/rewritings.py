@@ -41,16 +41,20 @@ class Negated:
 
 
 class Negative:
-    """Some rows with the other sign, so that whatever is computed from them has it."""
+    """Some rows with the other sign, so that whatever is computed from them has it, or a column above the last row."""
 
-    def __init__(self, rows: tuple[int, ...]) -> None:
+    def __init__(self, rows: tuple[int, ...] = (), column: int | None = None) -> None:
         """Take which."""
-        self._rows = rows
+        self._rows, self._column = rows, column
 
     def __call__(self, matrix: Matrix[N]) -> Matrix[N]:
         """The matrix rewritten."""
+
+        def is_turned(r: int, c: int) -> bool:
+            return r in self._rows or (c == self._column and r < len(matrix) - 1)
+
         return tuple(
-            tuple(-entry for entry in row) if r in self._rows else row  # type: ignore[operator]
+            tuple(-entry if is_turned(r, c) else entry for c, entry in enumerate(row))  # type: ignore[operator]
             for r, row in enumerate(matrix)
         )
 

@@ -28,15 +28,25 @@ ENDINGS = {
 }
 """The endings of files in each format; the first is the one to write. Of any other ending nothing is said."""
 
+PICTURES = {
+    "svg": (".svg",),
+    "tikz": (".tex",),
+    "png": (".png",),
+    "pdf": (".pdf",),
+    "page": (".html",),
+    "terminal": (".txt",),
+}
+"""The same of pictures, of which none is of the formats above."""
+
 _ANYTHING = (".txt",)
 """Endings of files that may hold any text."""
 
-_OTHERS = (".svg", ".png", ".pdf", ".html", ".xlsx", ".xls", ".ods", ".docx", ".npz", ".mat", ".gz", ".zip")
+_OTHERS = (".xlsx", ".xls", ".ods", ".docx", ".npz", ".mat", ".gz", ".zip", *(end for (end,) in PICTURES.values()))
 """Endings of files that no program could open if they held a format from above."""
 
 
 def format_by_ending(
-    output: str, formats: Iterable[str], others: Iterable[str] = (), of: str = "", more: str = "or say --format"
+    output: str | Path, formats: Iterable[str], others: Iterable[str] = (), of: str = "", more: str = "or say --format"
 ) -> str:
     """The format that the ending of a file stands for.
 
@@ -45,19 +55,19 @@ def format_by_ending(
         formats: The formats there are; of two with the same ending the first.
         others: Formats that are none of them, whose lack is told elsewhere.
         of: What the endings are of, for the hint.
-        more: What else helps.
+        more: What else helps; nothing where it is empty.
 
     Raises:
         UnknownNameError: The ending stands for none of them.
     """
     ending, formats = _ending(output), tuple(formats)
     for name in (*formats, *others):
-        if ending in ENDINGS[name]:
+        if ending in _endings_of(name):
             return name
-    known = dict.fromkeys(each for name in formats for each in ENDINGS.get(name, ()))
+    known = dict.fromkeys(each for name in formats for each in _endings_of(name))
     near = did_you_mean(ending, known)
     hint = f"{near} " if near.startswith("did") else ""
-    hint += f"known suffixes{of}: {' '.join(known)}; {more}"
+    hint += f"known suffixes{of}: {' '.join(known)}" + (f"; {more}" if more else "")
     raise UnknownNameError(f"{output} does not say which format it should have", hint)
 
 
@@ -87,5 +97,9 @@ def check_ending(
     raise DhcliError(f"{output} ends as a file in {ends} does, and {says}", hint)
 
 
-def _ending(output: str) -> str:
+def _endings_of(name: str) -> tuple[str, ...]:
+    return (ENDINGS | PICTURES)[name]
+
+
+def _ending(output: str | Path) -> str:
     return Path(output).suffix.lower()

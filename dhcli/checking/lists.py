@@ -1,0 +1,68 @@
+"""Lists of numbers as people write them: in brackets of any kind, in groups, with one unit behind all of them."""
+
+from __future__ import annotations
+
+import re
+
+from dhcli.regex import regex
+
+_UNIT_BEHIND = regex(r"(?<![\w\])])[(\[](?P<values>[^()\[\]\n]{0,400})[)\]][ \t]{0,9}(?P<unit>rad|deg|°)(?!\w)")
+_SIZED = regex(r"\\(?:left|right|[bB]igg?[lr]?)(?![A-Za-z])")
+_GROUP = regex(r"(?<!\w)[(\[](?P<inside>[^()\[\]]{0,400})[)\]](?P<behind>[ \t]{0,9}[,;|]?)")
+_SEPARATED = regex(r"[,;|]")
+_NUMBERS = regex(r"[-+−]?[\d.]{1,30}°?(?:[ \t]+[-+−]?[\d.]{1,30}°?){1,9}")  # noqa: RUF001
+_TRANSPOSED = regex(r"(?:\^ ?\{? ?\\?(?:T|top|mathsf\{T\}) ?\}?|\.T|\.?') ?$")
+
+
+def with_unit_inside(text: str, count: int) -> str:
+    """`(30, 45)°` as `(30 °, 45 °)`, where so many numbers stand in the bracket."""
+
+    def within(match: re.Match[str]) -> str:
+        values = _values(match["values"])
+        inside = ", ".join(f"{value} {match['unit']}" for value in values)
+        return f"({inside})" if len(values) == count else match[0]
+
+    return _UNIT_BEHIND.sub(within, text)
+
+
+def flat(text: str) -> str:
+    """A list without the brackets around it and around groups of its numbers: `(0, 0, 1), 60°` as `0, 0, 1, 60°`."""
+    text = untransposed(_SIZED.sub("", text).strip())
+    end = closing(text)
+    if text[:1] in ("(", "[") and end == len(text) - 1:
+        text = text[1:end]
+
+    def outside(match: re.Match[str]) -> str:
+        inside = match["inside"].strip()
+        inside = ", ".join(inside.split()) if _NUMBERS.fullmatch(inside) else inside
+        return f"{inside}{match['behind'].strip() or ','} " if _SEPARATED.search(inside) else match[0]
+
+    return _GROUP.sub(outside, text).rstrip(" ,")
+
+
+def untransposed(text: str) -> str:
+    """A list without the sign that makes a column of a row, `[3 -3 7]^T`: either is read."""
+    return _TRANSPOSED.sub("", text)
+
+
+def in_square_brackets(text: str) -> str:
+    """A list in round brackets in square ones, whatever stands behind it, `(1, 2)*0.001`; another text as it is."""
+    end = closing(text)
+    if text[:1] != "(" or end < 0 or not set(text[:end]) & set(",;|"):
+        return text
+    return f"[{text[1:end]}]{text[end + 1 :]}"
+
+
+def closing(text: str) -> int:
+    """Where the bracket closes with which a text begins; -1 if it does not."""
+    depth = 0
+    for i, letter in enumerate(text):
+        depth += (letter in "([") - (letter in ")]")
+        if depth == 0:
+            return i
+    return -1
+
+
+def _values(text: str) -> list[str]:
+    """The numbers between commas or semicolons; those between blanks where there are none."""
+    return re.split(r"[,;]", text) if set(text) & set(",;") else text.split()
