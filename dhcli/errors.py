@@ -142,6 +142,8 @@ def nearest(name: str, known: Iterable[str], most: int = 3, cutoff: float = 0.5)
 
     known = tuple(islice(known, MOST_CANDIDATES))
     lowered = {candidate.lower(): candidate for candidate in known}
+    if name.lower() in lowered:
+        return (lowered[name.lower()],)
     return tuple(lowered[match] for match in get_close_matches(name.lower(), lowered, n=most, cutoff=cutoff))
 
 

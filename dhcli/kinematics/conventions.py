@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from enum import StrEnum
 
+from dhcli.errors import did_you_mean
 from dhcli.frozen import frozen
 from dhcli.kinematics.moves import Chain, Rot, Trans, along
 from dhcli.notation.angle import Angle
@@ -51,6 +53,19 @@ def column_of(head: str) -> tuple[str, bool]:
     column = _HEADS.get(stem, "")
     before = subscript in _INDICES[True]
     return (column, before) if before or subscript in _INDICES[False] else ("", False)
+
+
+_CALLED = {
+    Convention.STANDARD: ("classic", "classical", "dh", "distal", "paul", "denavit-hartenberg", "original", "sdh"),
+    Convention.MODIFIED: ("craig", "mdh", "proximal", "khalil"),
+    Convention.PRODUCT: ("products", "moves", "home", "matrices"),
+}
+
+
+def convention_hint(word: str, known: Iterable[str]) -> str:
+    """What to say of a word that is none of the conventions known: what books call so, or the nearest."""
+    meant = next((convention for convention, words in _CALLED.items() if word.lower() in words), None)
+    return did_you_mean(word, known) if meant is None else f"write {meant}"
 
 
 ORDER = {

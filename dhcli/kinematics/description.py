@@ -9,10 +9,10 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Literal
 
-from dhcli.errors import RobotError, did_you_mean, plural
+from dhcli.errors import RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.actuators import Actuators
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row
+from dhcli.kinematics.conventions import COLUMNS, Convention, Row, convention_hint
 from dhcli.kinematics.derived import Formula, Value
 from dhcli.kinematics.given import chain_of, mapping_of, tuple_of, value_of
 from dhcli.kinematics.moves import Chain, angle_names, expressions, names, product_text
@@ -222,4 +222,4 @@ def _convention(given: Convention | str) -> Convention:
         return Convention(given)
     except ValueError:
         known = [convention.value for convention in Convention]
-        raise RobotError(f"convention: {given!r:.60} is not known", did_you_mean(str(given), known)) from None
+        raise RobotError(f"convention: {given!r:.60} is not known", convention_hint(str(given), known)) from None

@@ -21,6 +21,8 @@ from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import Expr, Number, Trig
 from dhcli.notation.walk import symbols, walk
 
+A_NAME = "write letters from a to z or Greek ones, with digits or an index: elbow_1, l_x"
+
 
 @frozen
 class Finding:
@@ -86,9 +88,7 @@ def _names(robot: Description) -> Iterator[Finding]:
         for index, name in enumerate(listed):
             where = (section, index if section == "variables" else name)
             if not is_name(name):
-                yield Finding(
-                    where, f"{name!r:.60} is not a name", "write letters, with digits or an index: elbow_1, l_x"
-                )
+                yield Finding(where, f"{name!r:.60} is not a name", A_NAME)
             elif name in RESERVED or name in UNITS:
                 yield Finding(where, f"{name} has a meaning of its own", "choose another name")
             if canonical(name) in seen:

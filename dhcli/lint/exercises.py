@@ -185,9 +185,10 @@ def _wrong(judged: Mark) -> str:
 
 def _trials(judge: Judge) -> Iterator[Finding]:
     exercise = judge.exercise
+    asked = {part.id for part in exercise.asked}
     for index, trial in enumerate(exercise.trials):
-        if exercise.part(trial.part).withdrawn:
-            continue
+        if trial.part not in asked:
+            continue  # it was withdrawn, or there is none, which is told
         try:
             answer = typed(judge, trial)
         except DhcliError as error:

@@ -160,7 +160,7 @@ def _of_file(path: str, names: Names) -> Iterator[Told]:
     found: list[Told] = []
     try:
         root = read_yaml(read_text(path), path, [])  # what it refuses is told by the loader, with all the rest
-        rules = _rules(path, kind_of(path))
+        rules = _rules(path, kind_of(path), root)
     except DhcliError as error:
         found = [Told(_placed(problem, path)) for problem in error.problems]
         found += _besides(path, root, error.problems) if root is not None else ()
@@ -183,7 +183,7 @@ def _besides(path: str, root: PlacedNode, problems: Sequence[Problem]) -> Iterat
     """
     inside = [path_to(root, problem.place) for problem in problems if problem.place]
     try:
-        rules = tuple(_rules_so_far(Path(path), inside))
+        rules = tuple(_rules_so_far(Path(path), inside, root))
     except DhcliError:
         yield from _left_to_write("", root)
         return
@@ -192,7 +192,7 @@ def _besides(path: str, root: PlacedNode, problems: Sequence[Problem]) -> Iterat
             yield _told(one, root)
 
 
-def _rules_so_far(path: Path, inside: Sequence[tuple[str | int, ...]]) -> Iterator[Finding]:
+def _rules_so_far(path: Path, inside: Sequence[tuple[str | int, ...]], root: PlacedNode) -> Iterator[Finding]:
     """What the rules say of as much of a file as can be read.
 
     Raises:
@@ -200,14 +200,16 @@ def _rules_so_far(path: Path, inside: Sequence[tuple[str | int, ...]]) -> Iterat
     """
     from dhcli.files.yaml.exercises import exercise_so_far
     from dhcli.files.yaml.robots import robot_so_far
-    from dhcli.lint import lengths, robots
+    from dhcli.lint import lengths, lost, robots
 
     kind = kind_of(str(path))
     if kind is Kind.EXERCISES:
         exercise, _ = exercise_so_far(path)
+        yield from lost.findings(root, exercise)
         yield from _rules_of_exercise(exercise, judged=all(BESIDE_JUDGING.intersection(where) for where in inside))
     elif kind is Kind.ROBOTS:
         robot, mentioned = robot_so_far(path)
+        yield from lost.findings(root)
         yield from robots.findings(robot, mentioned)
         if ("units",) not in inside:
             yield from lengths.of_robot(robot)
@@ -232,7 +234,7 @@ def _left_to_write(key: str, node: PlacedNode) -> Iterator[Told]:
         yield from _left_to_write(key, inner)
 
 
-def _rules(path: str, kind: Kind) -> Iterator[Finding]:
+def _rules(path: str, kind: Kind, root: PlacedNode) -> Iterator[Finding]:
     """What the rules for its kind say of a file, which is loaded before that.
 
     Raises:
@@ -241,14 +243,16 @@ def _rules(path: str, kind: Kind) -> Iterator[Finding]:
     from dhcli.files.yaml.exercises import load_exercise
     from dhcli.files.yaml.linkages import load_linkage
     from dhcli.files.yaml.robots import load_robot
-    from dhcli.lint import lengths, linkages, robots
+    from dhcli.lint import lengths, linkages, lost, robots
 
     if kind is Kind.ROBOTS:
         robot = load_robot(Path(path))
-        return chain(robots.findings(robot), lengths.of_robot(robot))
+        return chain(lost.findings(root), robots.findings(robot), lengths.of_robot(robot))
     if kind is Kind.LINKAGES:
-        return linkages.findings(load_linkage(Path(path)))
-    return _rules_of_exercise(load_exercise(Path(path)), judged=True)
+        linkage = load_linkage(Path(path))
+        return chain(lost.findings(root), linkages.findings(linkage))
+    exercise = load_exercise(Path(path))
+    return chain(lost.findings(root, exercise), _rules_of_exercise(exercise, judged=True))
 
 
 def _rules_of_exercise(exercise: Exercise, *, judged: bool) -> Iterator[Finding]:

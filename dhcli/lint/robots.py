@@ -29,9 +29,12 @@ def findings(robot: Description, mentioned: frozenset[str] = frozenset()) -> Ite
         robot: A robot, or what can be read of one.
         mentioned: Parameters that are used as far as anybody can tell.
     """
-    yield from unfinished({("title",): robot.title, ("source",): robot.source})
-    if robot.notes:
-        yield from unfinished({("notes",): robot.notes})
+    texts: dict[tuple[str | int, ...], str] = {
+        ("title",): robot.title,
+        ("source",): robot.source,
+        ("notes",): robot.notes,
+    }
+    yield from unfinished({where: text for where, text in texts.items() if text})
     if not _NAME.fullmatch(robot.name):
         hint = "letters, digits, - and _, such as my-arm.yaml"
         yield Finding((), f"the file name '{robot.name}' is the name of the robot, and cannot be typed", hint)

@@ -23,6 +23,20 @@ LENGTH_UNITS = {
 ANGLE_UNITS = frozenset(("deg", "degree", "degrees", "°", "rad", "radian", "radians"))
 UNITS = ANGLE_UNITS | LENGTH_UNITS.keys()
 
+_OTHER_WORDS = {
+    "mm": ("millimeter", "millimeters", "millimetre", "millimetres", "millimètre", "millimètres"),
+    "cm": ("centimeter", "centimeters", "centimetre", "centimetres", "zentimeter"),
+    "m": ("meter", "meters", "metre", "metres", "mètre", "mètres", "metro", "metri"),
+    "in": ("inches", "zoll"),
+    "°": ("grad", "degré", "degrés", "grados", "gradi", "o"),
+}
+
+
+def unit_meant(word: str) -> str:
+    """The unit that a word means which is none that is read, such as millimetres; empty if it means none."""
+    return next((unit for unit, words in _OTHER_WORDS.items() if word.lower() in words), "")
+
+
 INVERSE = frozenset(("acos", "asin", "atan", "atan2"))
 """Functions whose value is an angle."""
 

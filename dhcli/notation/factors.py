@@ -163,7 +163,9 @@ def _move(reading: Reading, word: Token, arguments: list[list[Token]], close: To
             lengths = [length if name == axis else ZERO for name in AXES]
         else:
             if len(arguments) != len(AXES):
-                raise source.error(word.start, f"{word.text} takes three lengths", "write Trans(1, 2, 3)")
+                message = f"{word.text} takes three lengths, not {len(arguments)}"
+                hint = "; decimals take a point: 0.5" if len(arguments) > len(AXES) else ""
+                raise source.error(word.start, message, f"write Trans(1, 2, 3){hint}")
             lengths = [_length(reading, part, close, reading.unit) for part in arguments]
         return Factor("trans", text, offset=(lengths[0], lengths[1], lengths[2]), inverse=inverse, start=word.start)
     raise source.error(word.start, f"{word.text} is not a move", EXAMPLE)

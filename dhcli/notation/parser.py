@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from dhcli.errors import NotationError, Place
 from dhcli.notation.brackets import OPENING, STEPS
 from dhcli.notation.calls import Calls
+from dhcli.notation.dimensions import unit_meant
 from dhcli.notation.functions import FUNCTIONS, is_usual, nearest_meaning, refusal
 from dhcli.notation.glued import in_degrees, is_factor, unglued
 from dhcli.notation.names import canonical, is_greek, suggestion
@@ -92,7 +93,9 @@ class Parser(Calls):
 
     def _word(self, token: Token) -> Expr:
         word = token.text
-        if word in ("pi", "π"):
+        if word in ("pi", "π") or (word in ("PI", "Pi") and not self.scope.has(word)):
+            if self.at("(") and self.tokens[self.position + 1].text == ")":  # a spreadsheet's PI()
+                self.position += 2
             return PI
         if word == "frac":
             return self._fraction(token)
@@ -259,7 +262,8 @@ class Parser(Calls):
             return Symbol(canonical(word))
         if not self.scope.split(word):
             self._check_meaning(word, token, is_last=token.text.endswith(word))
-        hint = suggestion(word, self.scope.names)
+        unit = unit_meant(word)
+        hint = f"the unit is written {unit}" if unit else suggestion(word, self.scope.names)
         raise self.error(f"{word} is not a name that is known here", hint, token)
 
     def _unusual(self, word: str, token: Token) -> NotationError:

@@ -250,7 +250,9 @@ def _constant(scale: Fraction, unit: str, bare: Bare) -> Angle:
     if unit == "bare":
         if scale and bare == "refuse":
             shown = float(scale)
-            turned = math.radians(shown) if abs(shown) > 2 * math.pi else shown  # nobody means 90 radians
-            raise DimensionError(f"the angle {shown:g} has no unit", f"write {shown:g}° or {turned:.5g} rad")
+            turned = (
+                f"{math.radians(shown):.5g}" if abs(shown) > 2 * math.pi else f"{shown:g}"
+            )  # nobody means 90 radians
+            raise DimensionError(f"the angle {shown:g} has no unit", f"write {shown:g}° or {turned} rad")
         unit = bare
     return Angle(radians=scale) if unit in _RADIANS else Angle(degrees=scale)

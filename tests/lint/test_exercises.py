@@ -267,7 +267,11 @@ def test_a_tolerance_that_says_nothing_is_told(broken: Broken, tmp_path: Path) -
 
 def test_the_smallest_length_may_be_one_that_is_given(tmp_path: Path) -> None:
     """A parameter of the task counts as one of the robot does."""
-    given = CLEAN.replace("theta2: 20°}", "theta2: 20°, e: 4 mm}").replace("rotation: 0.001", "position: 1 mm")
+    given = (
+        CLEAN.replace("theta2: 20°}", "theta2: 20°, e: 4 mm}")
+        .replace("the end.", "the end, e away.")
+        .replace("rotation: 0.001", "position: 1 mm")
+    )
     (found,) = findings(tmp_path, given)
     assert found.message == "position: a tolerance of 1 mm is large beside e = 4 mm"
     assert found.hint == "at most 0.4 mm, or an answer without e may pass"
@@ -405,5 +409,6 @@ def test_a_length_of_the_robot_that_is_given_in_millimetres_without_its_unit_is_
     assert Broken("", "", broken.at, broken.message, broken.hint, broken.is_warning) in found
     drawn = CLEAN.replace("theta2: 20°}", "theta2: 20°}\nvariants: {a1: 300..400 step 100}")
     assert "a1: 400 m is longer than any arm" in [one.message for one in findings(tmp_path, drawn)]
-    other = CLEAN.replace("theta2: 20°}", "theta2: 20°, f_x: 300}")  # a force, for all that is known
+    other = CLEAN.replace("theta2: 20°}", "theta2: 20°, f_x: 300}")
+    other = other.replace("Find the pose", "A force f_x pulls. Find the pose")
     assert findings(tmp_path, other) == []

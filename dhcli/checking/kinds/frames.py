@@ -64,7 +64,8 @@ class FramesQuestion(Question[Answer]):
         convention, _, pose = text.removeprefix("frames").strip().partition(" at ")
         if convention.strip() not in (Convention.STANDARD, Convention.MODIFIED):
             hint = "write frames standard or frames modified, and at POSE behind it"
-            raise NotationError(Problem(f"there are no frames '{convention.strip():.60}'", place, hint))
+            rest = convention.strip()
+            raise NotationError(Problem(f"there are no frames '{rest:.60}'" if rest else "which frames?", place, hint))
         return cls(Convention(convention.strip()), pose.strip())
 
     def check(self, robot: Robot | None) -> None:

@@ -14,7 +14,7 @@ from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.kinds.scalar import ScalarQuestion
 from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.wanted import NotAskedError
-from dhcli.errors import NotationError, Place, Problem, nearest
+from dhcli.errors import NotationError, Place, Problem
 from dhcli.notation.scope import Scope
 
 LONGEST = 2000
@@ -80,7 +80,7 @@ def read_question(text: str, scope: Scope, place: Place | None = None) -> Questi
             return kind.asked(text, scope, place)
         except NotAskedError as error:  # `entry 1 2` may be of a pose, or of a Jacobian
             unknown = error.text
-    raise _unknown(unknown, place)
+    raise _unknown(text, unknown, scope, place)
 
 
 def examples() -> tuple[str, ...]:
@@ -109,15 +109,13 @@ def _imported(name: str) -> type[Question[Any]]:
     return found
 
 
-def _unknown(text: str, place: Place | None) -> NotationError:
+def _unknown(asked: str, text: str, scope: Scope, place: Place | None) -> NotationError:
     if text.startswith("entry 4") and "jacobian" not in text:
         return NotationError(Problem("the bottom row of a pose is 0 0 0 1 for everybody", place, "ask for rows 1 to 3"))
     kind, *numbers = text.split()[:3] or [""]
     if kind == "entry" and "jacobian" not in text and not {*numbers} <= {"1", "2", "3", "4"}:
         return NotationError(Problem("a pose has four rows and four columns", place, "ask for entry 1 4 of pose 0..3"))
-    known = {example.split()[0]: example for example in examples()}
-    similar = nearest(text.split(None, 1)[0] if text else "", known)
-    hint = "did you mean " + " or ".join(known[word] for word in similar) + "?" if similar else ""
-    return NotationError(
-        Problem(f"'{text:.60}' asks nothing that is known", place, hint or "write one of: " + " · ".join(examples()))
-    )
+    from dhcli.checking.kinds.meant import hint_for  # most questions are known
+
+    hint = hint_for(asked, text, examples(), lambda other: read_question(other, scope))
+    return NotationError(Problem(f"'{text:.60}' asks nothing that is known", place, hint))

@@ -55,7 +55,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         rest = text.removeprefix("table").strip()
         if rest not in (Convention.STANDARD, Convention.MODIFIED):
             hint = "write table standard or table modified"
-            raise NotationError(Problem(f"there is no table '{rest}'", place, hint))
+            raise NotationError(Problem(f"there is no table '{rest:.60}'" if rest else "which table?", place, hint))
         return cls(Convention(rest))
 
     def check(self, robot: Robot | None) -> None:

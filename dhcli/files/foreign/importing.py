@@ -12,7 +12,7 @@ from dhcli.files.foreign.rows import Reader, Whole, robot_of_rows, scope_of
 from dhcli.files.foreign.tables import read_table
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.frozen import frozen
-from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.conventions import Convention, convention_hint
 from dhcli.kinematics.describe.asked import Asked
 from dhcli.kinematics.describe.description import describe
 from dhcli.kinematics.robot import Robot
@@ -104,5 +104,5 @@ def _convention(word: str | None) -> Convention | None:
         return None
     known = [convention.value for convention in Convention]
     if word not in known:
-        raise UnknownNameError(f"there is no convention {word}", did_you_mean(word, known) or ", ".join(known))
+        raise UnknownNameError(f"there is no convention {word}", convention_hint(word, known))
     return Convention(word)

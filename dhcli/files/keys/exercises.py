@@ -57,8 +57,8 @@ OF_KINDS = (
 )
 """Keys that only some kinds of question read; a test compares them with what the kinds say."""
 PART = (
-    Key("id", "its name, by which a sheet answers it", TEXT, is_required=True),
-    Key("ask", "what is asked, `pose 0..3`", TEXT, is_required=True),
+    Key("id", "its name, by which a sheet answers it", TEXT, is_required=True, example="id: a1"),
+    Key("ask", "what is asked", TEXT, is_required=True, example="ask: pose 0..3"),
     Key("prompt", "what it asks, in words", TEXT),
     Key("credit", "what it is worth, or what answers earn of it", Either((NUMBER, Keyed(CREDIT)))),
     Key("withdrawn", "why it is not asked any more; sheets that have an answer to it are judged without it", TEXT),
@@ -97,7 +97,7 @@ EXERCISE = (
     ),
     Key("credit", "what answers earn, in all parts", Keyed(SHARES), example="credit: {close: 1/2}"),
     Key("also", "a second robot whose answers are right too", Keyed(ALSO), example="also: {robot: NAME, note: why}"),
-    Key("parts", "the questions", Many(Keyed(PART), 1), is_required=True),
+    Key("parts", "the questions", Many(Keyed(PART), 1), is_required=True, example="parts: [{id: a1, ask: pose 0..3}]"),
     Key("printed", "what the document prints, by part", Named(Either((TEXT, Keyed(PRINTED))))),
     Key("tests", "answers and how they are judged, for `lint`", Many(Keyed(TEST))),
     Key(

@@ -107,7 +107,13 @@ SCREWS = (
         is_required=True,
         example="screws: [{theta1: (0, 0, 1, 0, 0, 0)}]",
     ),
-    Key("home", "moves from the base to the end frame with the joints at 0", TEXT, is_required=True),
+    Key(
+        "home",
+        "moves from the base to the end frame with the joints at 0",
+        TEXT,
+        is_required=True,
+        example="home: Trans(0.7, 0, 0)",
+    ),
 )
 """A robot with `convention: screws`."""
 

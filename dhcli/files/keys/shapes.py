@@ -91,9 +91,13 @@ def names(keys: Iterable[Key]) -> tuple[str, ...]:
     return tuple(key.name for key in keys)
 
 
-def required(keys: Iterable[Key]) -> tuple[str, ...]:
-    """The names of those that must stand there."""
-    return tuple(key.name for key in keys if key.is_required)
+def required(keys: Iterable[Key]) -> dict[str, str]:
+    """The names of those that must stand there, each with an example, the words it may be, or what it means."""
+    return {key.name: key.example or f"{key.name}: {_said(key)}" for key in keys if key.is_required}
+
+
+def _said(key: Key) -> str:
+    return " | ".join(key.holds.words) if isinstance(key.holds, Scalar) and key.holds.words else key.means
 
 
 TEXT = Scalar()

@@ -9,6 +9,7 @@ from dataclasses import replace
 from dhcli.errors import NotationError, Place, Problem, RobotError, are, did_you_mean, plural
 from dhcli.files.keys.robots import ROBOTS
 from dhcli.files.yaml.fields import Fields
+from dhcli.files.yaml.joint_values import JointValues
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.robot_loader import Loader
 from dhcli.files.yaml.typed import read_value
@@ -30,6 +31,7 @@ from dhcli.notation.tree import ONE, ZERO, Expr
 from dhcli.notation.walk import symbols_in
 
 _SIDES: tuple[Side, ...] = ("space", "body")
+_OF_AXES = ("through", "slides", "pitch")
 _SIX = 6
 _LEAST = 1e-9
 """Two points of an axis that are nearer are one [m]."""
@@ -70,6 +72,9 @@ class DrawnLoader(Loader):
     def read_links(self, first: int) -> tuple[Link, ...]:
         """A link for each joint."""
         nodes = self.fields.sequence(self.given)
+        if "variables" not in self.fields:
+            rows = (node.entries for node in nodes if isinstance(node, PlacedMapping))
+            self.take_variables(key.text for row in rows for key, _ in row if key.text not in _OF_AXES)
         end = self.end("end" if self.given == "axes" else "home")
         try:
             lines = self.screw_lines(nodes, end) if self.given == "screws" else tuple(self.axis_lines(nodes))
@@ -83,14 +88,14 @@ class DrawnLoader(Loader):
             self.problems.add(self.fields.place_of(self.given), f"{self.given}: a robot has at least one joint")
         return tuple(Link(first + i, chain) for i, chain in enumerate(chains))
 
-    def read_poses(self, angles: frozenset[str]) -> dict[str, tuple[Value, ...]]:
+    def read_poses(self, values: JointValues) -> dict[str, tuple[Value, ...]]:
         """The named poses, and the one drawn."""
-        poses = super().read_poses(angles)
+        poses = super().read_poses(values)
         if self.drawn:
             if "drawn" in poses:
-                place = self.fields.mapping("poses").place_of("drawn")
-                self.problems.add(place, "poses: drawn is the name of the pose that `drawn:` gives")
-            zeros = {name: Angle() if name in angles else ZERO for name in self.variables}
+                message = "poses: drawn is the name of the pose that `drawn:` gives"
+                self.problems.add(self.places["poses", "drawn"], message)
+            zeros = {name: ZERO if turns is False else Angle() for name, turns in values.turns.items()}
             poses["drawn"] = tuple(self.drawn.get(name, zeros[name]) for name in self.variables)
         return poses
 
@@ -123,7 +128,7 @@ class DrawnLoader(Loader):
                 self.drawn[key] = value if value is not None else Angle()
         for i, node in enumerate(nodes):
             fields = self.problems.mapping(node, f"axes: row {i + 1}", example="{theta1: +z, through: (0, 0, 0)}")
-            named = [key for key in fields.entries if key not in ("through", "slides", "pitch")]
+            named = [key for key in fields.entries if key not in _OF_AXES]
             known = [key for key in named if key in self.variables]
             for key in named:
                 if key not in self.variables:

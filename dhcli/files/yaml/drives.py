@@ -11,6 +11,7 @@ from dhcli.kinematics.actuators import Actuators
 from dhcli.kinematics.derived import Value
 from dhcli.kinematics.description import Description
 from dhcli.kinematics.drives import Drive, actuators, read_drive
+from dhcli.kinematics.validity import A_NAME
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import RESERVED, parse
 from dhcli.notation.quantity import UNITS, with_unit
@@ -89,7 +90,7 @@ def _motors(inside: Fields, robot: Description, unit: str) -> dict[str, Limits]:
 
 def _check_name(problems: Problems, name: str, place: Place, taken: dict[str, str]) -> None:
     if not is_name(name):
-        problems.add(place, f"motors: {name!r:.60} is not a name", "write letters, with digits or an index: m2")
+        problems.add(place, f"motors: {name!r:.60} is not a name", A_NAME)
     elif name in RESERVED or name in UNITS:
         problems.add(place, f"motors: {name} has a meaning of its own", "choose another name, such as m1")
     elif canonical(name) in taken:

@@ -10,8 +10,8 @@ from dhcli.checking.exercise import Exercise
 from dhcli.checking.figures import LEVELS
 from dhcli.checking.verdicts import Verdict
 from dhcli.checking.written import Printed, Range, Trial, answer_scope
-from dhcli.errors import DhcliError, FileError, Problem, did_you_mean
-from dhcli.files.keys.exercises import ALSO, EXERCISE, PRINTED, SOURCE, TEST
+from dhcli.errors import DhcliError, FileError, Problem, did_you_mean, nearest
+from dhcli.files.keys.exercises import ALSO, EXERCISE, PART, PRINTED, SOURCE, TEST, TOLERANCE
 from dhcli.files.keys.shapes import names, required
 from dhcli.files.library.lookup import Kind, check_typed, entries, find, full_id
 from dhcli.files.reading import read_text, source_of
@@ -30,9 +30,19 @@ from dhcli.files.yaml.typed import (
 )
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.angle import Angle
-from dhcli.notation.names import is_greek
+from dhcli.notation.names import canonical, is_greek
 from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.scope import Scope
+
+ELSEWHERE = {
+    **dict.fromkeys(names(PART), "it stands in a part, below parts:"),
+    **dict.fromkeys(names(TOLERANCE), "it stands below tolerance:"),
+    **dict.fromkeys(("answer", "mistake", "verdict"), "it stands in a test, below tests:"),
+}
+"""What to say of keys at the top of a file that stand below others."""
+
+MEANT = dict.fromkeys(("correct", "true", "yes", "ok"), "RIGHT") | dict.fromkeys(("incorrect", "false", "no"), "WRONG")
+"""Other words for verdicts."""
 
 
 def load_exercise(name: str | Path) -> Exercise:
@@ -97,7 +107,9 @@ class _Loader:
         self.problems = Problems(refused)
         self.named = Named(self.problems, folder, roots)
         self.name = name
-        self.fields = self.problems.document(root, known=names(EXERCISE), required=required(EXERCISE))
+        self.fields = self.problems.document(
+            root, known=names(EXERCISE), required=required(EXERCISE), elsewhere=ELSEWHERE
+        )
         self.robot = self.named.robot("robot", self.fields.scalar("robot"))
         self.unit = self.fields.text("unit", "m")
         self.names = read_texts(self.fields, "names")
@@ -142,19 +154,14 @@ class _Loader:
         trials = tuple(self.trial(node) for node in nodes)
         also = self.also()
         if self.unit not in (*LENGTH_UNITS, "none"):
-            self.problems.add(
-                self.fields.place_of("unit"), f"unit: '{self.unit}' is no unit of length", "write m, mm, cm or none"
-            )
+            self.not_known("unit", f"unit: '{self.unit}' is no unit of length", "write m, mm, cm or none")
         self.check_printed()
         feedback = self.fields.text("feedback", "verdict")
         if feedback not in ("verdict", "expected"):
-            self.problems.add(
-                self.fields.place_of("feedback"), f"feedback: '{feedback}' is not known", "write expected"
-            )
+            self.not_known("feedback", f"feedback: '{feedback}' is not known", "write expected, or leave it out")
         picture = self.fields.text("picture", "")
         if picture and picture not in LEVELS:
-            levels = ", ".join(LEVELS)
-            self.problems.add(self.fields.place_of("picture"), f"picture: '{picture}' is not known", f"write {levels}")
+            self.not_known("picture", f"picture: '{picture}' is not known", f"one of {', '.join(LEVELS)}")
         found = Exercise(
             id=self.name,
             title=self.fields.text("title"),
@@ -177,16 +184,22 @@ class _Loader:
         self.check_values(found)
         return found
 
+    def not_known(self, key: str, message: str, hint: str) -> None:
+        """Note that the value of a key is none of those it may have."""
+        node = self.fields.get(key)
+        self.problems.add(self.fields.place if node is None else node.place, message, hint)
+
     def check_values(self, exercise: Exercise) -> None:
         """Names without a value, where the right answer needs one; a value that was refused is told already."""
         try:
             missing = [name for name in exercise.missing if name not in self.refused]
         except DhcliError:  # there is no right answer: of a robot that was not found, or one that is too long
             return
-        if missing:
+        if missing and isinstance(self.fields.get("given"), PlacedMapping | None):
             wanted = ", ".join(f"{name}: {'25°' if self.is_angle(name) else '0.12 m'}" for name in missing)
             message = f"given: no value for {', '.join(missing)}, and the answers are numbers"
-            self.problems.add(self.fields.place_of("given"), message, f"given: {{{wanted}}}")
+            key = "given" if "given" in self.fields else "numeric"
+            self.problems.add(self.fields.place_of(key), message, f"given: {{{wanted}}}")
 
     def also(self) -> tuple[Robot, str] | None:
         fields = self.fields.mapping(
@@ -204,13 +217,21 @@ class _Loader:
 
     def read_given(self) -> None:
         fields = self.fields.mapping("given", example="{theta1: 30°}")
-        for key in fields.entries:
-            scalar = fields.scalar(key)
+        for written in fields.entries:
+            key = self.own_name(written)
+            scalar = fields.scalar(written)
             value = self.value(scalar, key) if scalar else None
-            if value is None:
+            if key in self.given:
+                self.problems.add(fields.place_of(written), f"given: {key} stands twice", "keep one")
+            elif value is None:
                 self.refused.add(key)
             else:
                 self.given[key] = value
+
+    def own_name(self, written: str) -> str:
+        """The robot's spelling of a name, such as theta1 for θ1 and theta_1; others as they are written."""
+        own = self.robot.scope.names if self.robot else ()
+        return next((name for name in own if canonical(name) == canonical(written)), written)
 
     def value(self, scalar: PlacedScalar, key: str) -> Value | None:
         unit = self.unit_of(key)
@@ -253,17 +274,25 @@ class _Loader:
         return printed
 
     def trial(self, node: PlacedNode) -> Trial:
+        """A test."""
         example = "{part: a1, answer: ..., verdict: WRONG}"
         fields = self.problems.mapping(node, "tests", known=names(TEST), required=required(TEST), example=example)
         known = self.parts.ids
         name = fields.text("part")
         if name and name not in known and known:
             self.problems.add(fields.place_of("part"), f"part: there is no part {name}", did_you_mean(name, known))
+        if fields.entries and {"answer", "mistake"} <= fields.entries.keys():
+            message = "mistake: a test tries an answer or a mistake, and not both"
+            self.problems.add(fields.place_of("mistake"), message, "delete one of them")
+        elif fields.entries and not {"answer", "mistake"}.intersection(fields.entries):
+            self.problems.add(fields.place, "answer: is missing", "write answer: ..., or mistake: sin-cos 1")
         words = [verdict.word for verdict in Verdict]
         verdict = fields.text("verdict")
         if verdict and verdict not in words:
-            hint = f"one of {', '.join(words)}"
+            meant = MEANT.get(verdict.lower()) or next(iter(nearest(verdict, words, most=1, cutoff=0.8)), "")
+            hint = f"write {meant}" if meant else f"one of {', '.join(words)}"
             self.problems.add(fields.place_of("verdict"), f"verdict: '{verdict}' is not known", hint)
+            verdict = meant
         blank = fields.get("answer")
         answer = "" if isinstance(blank, PlacedScalar) and blank.quoted and not blank.text else fields.text("answer")
         return Trial(name, answer, verdict, fields.text("mistake"))

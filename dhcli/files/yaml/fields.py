@@ -7,13 +7,16 @@ unknown or of the wrong kind is noted and an empty value handed out, so that the
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import accumulate
+from types import MappingProxyType
 
-from dhcli.errors import DhcliError, FileError, Place, Problem, did_you_mean
+from dhcli.errors import DhcliError, FileError, Place, Problem
 from dhcli.files.reading import source_of
 from dhcli.files.yaml.cut import is_piece, tell
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
+from dhcli.files.yaml.slips import entries_of, items_of, with_equals
+from dhcli.files.yaml.unknown import OWN, hint_for, meant
 from dhcli.frozen import frozen
 from dhcli.notation.brackets import OPENING, STEPS
 from dhcli.safe import yaml_scalar
@@ -28,8 +31,7 @@ _KINDS = (
 )
 """What tells one kind of file from the others: keys of which no other kind has one, and what it is good for."""
 
-OWN = "x-"
-"""Keys that begin so are the author's own; dhcli does not look at them."""
+LISTED = "[a, b] or lines that begin with '- '"
 
 
 class Problems:
@@ -56,13 +58,21 @@ class Problems:
         if self.found:
             raise kind(sorted(self.found, key=lambda problem: problem.order))
 
-    def document(self, root: PlacedNode, *, known: Iterable[str], required: Iterable[str] = ()) -> Fields:
+    def document(
+        self,
+        root: PlacedNode,
+        *,
+        known: Iterable[str],
+        required: Iterable[str] = (),
+        elsewhere: Mapping[str, str] = MappingProxyType({}),
+    ) -> Fields:
         """The mapping at the top of a file, which must begin with `format: 1`.
 
         Args:
             root: What `read_yaml` gave.
             known: The keys that may stand there; `format` is added.
-            required: Those of them that must stand there.
+            required: Those of them that must stand there, as for `mapping`.
+            elsewhere: What to say of keys that stand below others.
 
         Raises:
             FileError: The file has another format, or is of another kind, so that judging its other keys would mislead.
@@ -74,8 +84,11 @@ class Problems:
                     _check_format(value)
             _check_kind(root, known)
         example = "format: 1 and other 'key: value' lines; dhcli new writes a file to start from"
-        what, keys = "the file", ("format", *required)
-        return self.mapping(root, what, known=("format", *known), required=keys, example=example)
+        means = required if isinstance(required, Mapping) else {}
+        wanted = {"format": f"format: {FORMAT}", **dict.fromkeys(required, ""), **means}
+        return self.mapping(
+            root, "the file", known=("format", *known), required=wanted, elsewhere=elsewhere, example=example
+        )
 
     def mapping(
         self,
@@ -84,7 +97,7 @@ class Problems:
         *,
         known: Iterable[str] | None = None,
         required: Iterable[str] = (),
-        above: Iterable[str] = (),
+        elsewhere: Mapping[str, str] = MappingProxyType({}),
         example: str = "'key: value' lines",
     ) -> Fields:
         """A node that should be a mapping.
@@ -93,46 +106,65 @@ class Problems:
             node: The node.
             what: Its key, or what else to call it in messages.
             known: The keys that may stand there; None where they are free, such as names of parameters.
-            required: The keys that must stand there.
-            above: Keys that an author may look for here, and which stand at the top of the file.
+            required: The keys that must stand there; a mapping of them says what to write.
+            elsewhere: What to say of keys that an author may look for here, and which stand somewhere else.
             example: What to write where it is no mapping.
 
         Returns:
-            Its fields without the unknown ones; none if it is not a mapping.
+            Its fields without the unknown ones, but with those that plainly mean a known one; none if it is no mapping.
         """
         if not isinstance(node, PlacedMapping):
-            self.add(node.place, f"{what}: should be a mapping, is {node_kind(node)}", f"write {example}")
-            return Fields(self, node.place, {})
-        known = None if known is None else tuple(known)
-        entries = {}
-        owner: PlacedScalar | None = None
+            listed, shown = entries_of(node) if known is None else ((), "")
+            self.add(node.place, f"{what}: should be a mapping, is {node_kind(node)}", f"write {shown or example}")
+            return Fields(self, node.place, {key.text: (key, value) for key, value in listed})
+        entries = self._known_entries(node, known if known is None else tuple(known), elsewhere)
+        means = required if isinstance(required, Mapping) else {}
+        for name in required:
+            if name not in entries:
+                self.add(node.place, f"{name}: is missing", means.get(name, ""))
+        return Fields(self, node.place, entries)
+
+    def _known_entries(
+        self, node: PlacedMapping, known: tuple[str, ...] | None, elsewhere: Mapping[str, str]
+    ) -> dict[str, tuple[PlacedScalar, PlacedNode]]:
+        """The entries of a mapping that may stand there; all others are told."""
+        entries: dict[str, tuple[PlacedScalar, PlacedNode]] = {}
+        there = {key.text for key, _ in node.entries}
+        owner, has_equals = "", False
         for key, value in node.entries:
             if known is not None and key.text.startswith(OWN):
                 continue
+            if entry := with_equals(key, value):
+                key, value = entry  # noqa: PLW2901  it is read as it is meant
+                if not has_equals:
+                    hint = f"write {key.text}: {value.text}" if isinstance(value, PlacedScalar) else ""
+                    self.add(key.place, f"{key.text}: a colon stands behind a key, and not =", hint)
+                has_equals = True
             if known is None or key.text in known:
-                entries[key.text] = (key, value)
-                owner = key
-            elif owner and (cut := _cut_off(entries[owner.text][1], key)):
+                owner = key.text
+            elif owner and (cut := _cut_off(entries[owner][1], key)):
                 text = cut.with_piece(key)
-                entries[owner.text] = (owner, text)
-                tell(self.found, cut.text, text.text, text.place, owner.text)
-            elif key.text in above:
-                self.add(key.place, f"{key.text}: unknown key", "it stands at the top of the file, and holds for all")
+                entries[owner] = (entries[owner][0], text)
+                tell(self.found, cut.text, text.text, text.place, owner)
+                continue
             else:
-                self.add(key.place, f"{key.text}: unknown key", _hint_for_unknown(key, known))
-        for name in required:
-            if name not in entries:
-                self.add(node.place, f"{name}: is missing")
-        return Fields(self, node.place, entries)
+                self.add(key.place, f"{key.text}: unknown key", hint_for(key.text, known, elsewhere))
+                owner = "" if key.text in elsewhere else meant(key.text, known)
+                if not owner or owner in there or owner in entries:
+                    owner = ""
+                    continue
+            entries[owner] = (key, value)
+        return entries
 
-    def sequence(
-        self, node: PlacedNode, what: str, example: str = "[a, b] or lines that begin with '- '"
-    ) -> tuple[PlacedNode, ...]:
+    def sequence(self, node: PlacedNode, what: str, example: str = "") -> tuple[PlacedNode, ...]:
         """The items of a node that should be a list; none if it is not."""
         if isinstance(node, PlacedSequence):
             return node.items
-        self.add(node.place, f"{what}: should be a list, is {node_kind(node)}", f"write {example}")
-        return ()
+        items, shown = items_of(node)
+        if not any(problem.place == node.place for problem in self.found):  # such as the comma that has cut it
+            hint = f"write {example or shown or LISTED}"
+            self.add(node.place, f"{what}: should be a list, is {node_kind(node)}", hint)
+        return () if example else items
 
     def scalar(self, node: PlacedNode, what: str) -> PlacedScalar | None:
         """A node that should be a text which is not empty; None if it is not."""
@@ -179,7 +211,7 @@ class Fields:
         found = self.scalar(key)
         return default if found is None else found.text
 
-    def sequence(self, key: str, example: str = "[a, b] or lines that begin with '- '") -> tuple[PlacedNode, ...]:
+    def sequence(self, key: str, example: str = "") -> tuple[PlacedNode, ...]:
         """The items of the list under a key."""
         node = self.get(key)
         return () if node is None else self.problems.sequence(node, key, example)
@@ -252,12 +284,3 @@ def _hint_for_brackets(node: PlacedNode) -> str:
     end = next((k for k, depth in enumerate(depths, 1) if not depth), 0)
     shown = f": {yaml_scalar(text[:end])}" if end else ""
     return f"text that begins with a bracket needs quotes{shown}"
-
-
-def _hint_for_unknown(key: PlacedScalar, known: tuple[str, ...]) -> str:
-    """The nearest key, or the slip of spelling that makes YAML see another key than the author."""
-    if ":" in key.text and key.text.split(":")[0].strip() in known:
-        return "a colon needs a space after it"
-    if invisible := [character for character in key.text if not character.isprintable()]:
-        return f"it holds the invisible character U+{ord(invisible[0]):04X}"
-    return did_you_mean(key.text, known)

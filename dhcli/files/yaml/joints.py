@@ -8,6 +8,7 @@ from dhcli.files.keys.shapes import names, required
 from dhcli.files.yaml.coordinates import Coordinates
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
+from dhcli.files.yaml.typed import read_flag
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
 from dhcli.mobility.dhloop import joints_of_loop
 from dhcli.mobility.linkage import Joint
@@ -103,7 +104,7 @@ class JointReader:
                 pitch=None if pitch is None else self.numbers.number(pitch, "pitch"),
                 carrier=fields.text("carrier") or None,
                 radii=radii,
-                internal=self.yes(fields, "internal"),
+                internal=read_flag(fields, "internal"),
                 **vectors,
             )
             for k, other in enumerate(links[1:], 1)
@@ -149,7 +150,7 @@ class JointReader:
         found: list[Joint] = []
         self.loose = {pin: held[0] for pin, held in pins.items() if len(held) == 1}
         for pin, held in pins.items():
-            if "points" in self.fields and len(held) > 1:
+            if "points" in self.fields:
                 self.numbers.point(PlacedScalar(pin, places[pin]), "bars")
             for k, other in enumerate(held[1:], 1):
                 name = pin if len(held) == 2 else f"{pin}.{k}"  # noqa: PLR2004  two bars
@@ -180,13 +181,6 @@ class JointReader:
             )
             return None
         return found[0], found[1]
-
-    def yes(self, fields: Fields, key: str) -> bool:
-        """Whether a key says yes."""
-        scalar = fields.scalar(key)
-        if scalar is not None and scalar.text not in ("yes", "no", "true", "false"):
-            self.problems.add(scalar.place, f"{key}: should be yes or no, is '{scalar.text}'")
-        return scalar is not None and scalar.text in ("yes", "true")
 
     def loop(self) -> list[Joint]:
         """A closed loop of DH rows."""

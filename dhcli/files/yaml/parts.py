@@ -25,20 +25,25 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
 
-OF_ALL = (
-    "numeric",
-    "unit",
-    "tolerance",
-    "given",
-    "names",
-    "printed",
-    "feedback",
-    "variants",
-    "also",
-    "tests",
-    "picture",
+OF_ALL = dict.fromkeys(
+    (
+        "numeric",
+        "unit",
+        "tolerance",
+        "given",
+        "names",
+        "printed",
+        "feedback",
+        "variants",
+        "also",
+        "tests",
+        "picture",
+    ),
+    "it stands at the top of the file, and holds for all",
 )
 """Keys that stand at the top of a file and hold for all parts."""
+
+EXAMPLE = "{id: a1, ask: link 1}"
 
 
 @frozen
@@ -72,7 +77,7 @@ class PartReader:
     def part(self, node: PlacedNode, index: int) -> Part | None:
         """A part; None if there is no telling what it asks."""
         fields = self.problems.mapping(
-            node, "parts", known=names(PART), required=required(PART), above=OF_ALL, example="{id: a1, ask: link 1}"
+            node, "parts", known=names(PART), required=required(PART), elsewhere=OF_ALL, example=EXAMPLE
         )
         name, depends = fields.text("id"), read_texts(fields, "depends")
         self.check_id(fields, name, depends)
@@ -100,7 +105,9 @@ class PartReader:
         """Make sure that an id can be typed and is the only one, and that a part builds on what stands before it."""
         place = fields.place_of("id")
         if not all(letter.isalnum() or letter in "_-" for letter in name):
-            self.problems.add(place, f"id: '{name}' holds more than letters, digits, _ and -")
+            hint = "".join(letter if letter.isalnum() or letter in "_-" else "-" for letter in name).strip("-")
+            message = f"id: '{name}' holds more than letters, digits, _ and -"
+            self.problems.add(place, message, f"write {hint}" if hint else "write a1")
         if name and name in self.ids:
             self.problems.add(place, f"id: the id {name} is used twice", "each part has a name of its own")
         for other in depends:
@@ -169,12 +176,15 @@ class _Besides:
         typed = scalar.text if scalar else ""
         if typed.isdecimal() and len(typed) <= MOST_DIGITS and 1 <= int(typed) <= count:
             return int(typed)
-        letter = 1 + ord(typed.lower()) - ord("a") if len(typed) == 1 and typed.isascii() else 0
-        hint = f"write {letter}" if 1 <= letter <= count else f"write a number from 1 to {count}"
-        said = "should be the number of an option, counted from 1" + (f", is '{typed}'" if scalar else "")
-        if scalar or key not in self.fields:
+        if not count:
+            if "options" not in self.fields:
+                self.problems.add(self.fields.place, "options: is missing", "write options: [its axis, its origin]")
+        elif scalar or key not in self.fields:
+            letter = 1 + ord(typed.lower()) - ord("a") if len(typed) == 1 and typed.isascii() else 0
+            hint = f"write {letter}" if 1 <= letter <= count else f"write 1 to {count}"
+            said = f"'{typed}' is not the number of one of the {count} options, counted from 1"
             place = scalar.place if scalar else self.fields.place
-            self.problems.add(place, f"{key}: {said if count else 'there are no options'}", hint if count else "")
+            self.problems.add(place, f"{key}: {said if scalar else 'is missing'}", hint)
         return 1
 
     def linkage(self, name: str) -> object | None:

@@ -13,6 +13,7 @@ from dhcli.files.yaml.typed import NOTHING, read_value
 from dhcli.kinematics.ranges import read_count, split_range, spread, steps_between, times, total
 from dhcli.kinematics.robot import Value
 from dhcli.notation.angle import Angle
+from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import LENGTH_UNITS, value_text
 from dhcli.notation.tree import Constant, Number, Unit
@@ -43,7 +44,8 @@ def read_variants(
     """
     variants: dict[str, Range] = {}
     varying = fields.mapping("variants", example="{theta1: 20°..70° step 5°}")
-    for key, (name, node) in varying.entries.items():
+    for written, (name, node) in varying.entries.items():
+        key = next((own for own in known if canonical(own) == canonical(written)), written)
         if key not in known:
             message = f"variants: {key} is neither a joint nor a parameter of the robot, nor given"
             fields.problems.add(name.place, message, did_you_mean(key, known))

@@ -8,25 +8,28 @@ from typing import Any
 
 from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
 from dhcli.files.keys.robots import CONVENTIONS, TABLE, UNITS
-from dhcli.files.keys.shapes import Key, required
+from dhcli.files.keys.shapes import ROW, Key, required
 from dhcli.files.keys.shapes import names as names_of
 from dhcli.files.yaml.drives import read_drives
 from dhcli.files.yaml.fields import Fields, Problems
+from dhcli.files.yaml.joint_values import JointValues
 from dhcli.files.yaml.parameters import Parameters
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
-from dhcli.files.yaml.typed import has_unit_of_angle, read_flag, read_value, read_whole
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row, calibrated_moves, moves_of
+from dhcli.files.yaml.typed import read_flag, read_value, read_whole
+from dhcli.kinematics.conventions import COLUMNS, Convention, Row, calibrated_moves, convention_hint, moves_of
 from dhcli.kinematics.description import Description
 from dhcli.kinematics.moves import Chain, angle_names, expressions, names, read_chain, sharpened
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.validity import Finding, InvalidRobotError, findings
 from dhcli.notation.angle import Angle
+from dhcli.notation.factors import AXES
 from dhcli.notation.names import canonical
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Expr, Trig
 from dhcli.notation.walk import walk
 
 ANGLES = ("alpha", "theta", "beta")
+_POSES = "{home: [0, 90°, 100 mm]}"
 MOVING = ("links", "axes", "screws", "end", "home", "base", "tool", "tools")
 """Keys under which names of parameters are used."""
 
@@ -47,11 +50,16 @@ class Loader:
         self.fields = self.problems.document(root, known=names_of(keys), required=required(keys))
         self.places: dict[tuple[str | int, ...], Place] = {}
         self.variables = tuple(self.names("variables", self.fields.sequence("variables")))
-        self.parameters = self.fields.mapping("parameters")
-        self.scope = Scope(lengths=(*self.variables, *self.parameters.entries))
+        self.parameters = self.fields.mapping("parameters", example="{a1: 300 mm, a2: 0.2 m}")
+        if not self.parameters.entries:  # a list of names, which is told, leaves their values open
+            listed = [item for item in _items(self.fields.get("parameters")) if isinstance(item, PlacedScalar)]
+            open_ = {item.text: (item, PlacedScalar("", item.place)) for item in listed}
+            self.parameters = replace(self.parameters, entries=dict(open_))
+        known = (*self.variables, *self.parameters.entries)
+        self.scope = Scope(lengths=known, is_open="variables" not in self.fields)
         self.convention = self.read_convention()
-        self.remarks: list[str] | None = None if self.fields.text("exact") == "false" else []
-        read_flag(self.fields, "exact")
+        keeps_digits = "exact" in self.fields and not read_flag(self.fields, "exact")
+        self.remarks: list[str] | None = None if keeps_digits else []
         self.unit = self.read_unit()
         self.columns: tuple[str, ...] = COLUMNS
         # A calibrated table: its fifth column leaves no table of four, so each row is a product.
@@ -85,7 +93,9 @@ class Loader:
         first = self.read_first()
         before = len(self.problems.found)
         links = self.read_links(first)
-        is_broken = len(self.problems.found) > before or "convention" not in self.fields
+        is_broken = len(self.problems.found) > before or not {"convention", "links"} <= self.fields.entries.keys()
+        if "variables" not in self.fields:
+            self.take_variables(self.moving(links))
         movers = [name for link in links for name in names(link.moves)]
         idle = frozenset(self.variables).difference(movers)
         # Of one that moves two rows while another moves none nobody knows which of them is meant.
@@ -99,7 +109,8 @@ class Loader:
         angles = angle_names(chain) | inside
         reader = Parameters(self.problems, self.parameters, self.remarks, self.unit)
         parameters = reader.read(lambda key: self.is_angle(key, angles))
-        limits = {key: self.limit(key, angles) for key in self.fields.mapping("limits").entries}
+        turns = {name: name in angles if name in self.clear else None for name in self.variables}
+        values = JointValues(turns, self.value, self.places)
         if not links and "links" in self.fields:
             self.problems.add(self.fields.place_of("links"), "links: a robot has at least one link")
         return {
@@ -112,8 +123,8 @@ class Loader:
             "tool": tool,
             "tools": tools,
             "first": first,
-            "limits": {key: both for key, both in limits.items() if both is not None},
-            "poses": self.read_poses(angles),
+            "limits": values.limits(self.fields.mapping("limits", example="{theta1: [-160°, 160°]}")),
+            "poses": self.read_poses(values),
             "columns": COLUMNS if self.has_beta else self.columns,
             "derived": reader.formulas,
             "remarks": tuple(dict.fromkeys(self.remarks or ())),
@@ -124,9 +135,20 @@ class Loader:
         """The rows, or the products."""
         return tuple(self.link(node, i, first + i) for i, node in enumerate(self.fields.sequence("links")))
 
-    def read_poses(self, angles: frozenset[str]) -> dict[str, tuple[Value, ...]]:
+    def read_poses(self, values: JointValues) -> dict[str, tuple[Value, ...]]:
         """The named poses."""
-        return {key: self.pose(key, angles) for key in self.fields.mapping("poses").entries}
+        return values.poses(self.fields.mapping("poses", example=_POSES))
+
+    def moving(self, links: Sequence[Link]) -> Iterable[str]:
+        """The names that the links move by and nobody has declared, where a file does not list its variables."""
+        return (name for link in links for name in sorted(names(link.moves)))
+
+    def take_variables(self, found: Iterable[str]) -> None:
+        """Take names for the variables that a file does not list, and show how it would."""
+        self.variables = tuple(dict.fromkeys(name for name in found if name not in self.parameters))
+        for k, problem in enumerate(self.problems.found):
+            if self.variables and problem.message == "variables: is missing":
+                self.problems.found[k] = replace(problem, hint=f"variables: [{', '.join(self.variables)}]")
 
     def read_tools(self) -> dict[str, Chain]:
         """The tools by name."""
@@ -146,7 +168,7 @@ class Loader:
         try:
             return Convention(scalar.text)
         except ValueError:
-            hint = did_you_mean(scalar.text, CONVENTIONS)
+            hint = convention_hint(scalar.text, CONVENTIONS)
             self.problems.add(scalar.place, f"convention: '{scalar.text}' is not known", hint)
             return Convention.STANDARD
 
@@ -191,7 +213,7 @@ class Loader:
                 "write {a: a1, alpha: 90°, d: 0, theta: theta1}, or convention: product for moves",
             )
             return Link(number, ())
-        fields = self.problems.mapping(node, "links", known=(*COLUMNS, "beta"), required=COLUMNS)
+        fields = self.problems.mapping(node, "links", known=(*COLUMNS, "beta"), required=required(ROW))
         if len(fields.entries) == len(COLUMNS) and index == 0:
             self.columns = tuple(fields.entries)
         cells = {column: self.cell(fields, column, index) for column in COLUMNS}
@@ -232,6 +254,12 @@ class Loader:
 
     def chain(self, key: str) -> Chain:
         """The product under a key."""
+        node = self.fields.get(key)
+        lengths = [item.text for item in _items(node) if isinstance(item, PlacedScalar)]
+        if node is not None and len(lengths) == len(AXES):
+            hint = f"write Trans({', '.join(lengths)})"
+            self.problems.add(node.place, f"{key}: should be moves, is a list of lengths", hint)
+            return ()
         scalar = self.fields.scalar(key)
         if scalar is None:
             return ()
@@ -249,43 +277,7 @@ class Loader:
         """Whether a name stands anywhere among the links, or what else moves."""
         return any(key in _texts(node) for where in MOVING if (node := self.fields.get(where)) is not None)
 
-    def limit(self, key: str, angles: frozenset[str]) -> tuple[Value, Value] | None:
-        """The lowest and the highest value of a joint; None where they cannot be read."""
-        fields = self.fields.mapping("limits")
-        self.places["limits", key] = fields.place_of(key)
-        if self.variables and key not in self.variables:
-            hint = did_you_mean(key, self.variables)
-            self.problems.add(fields.place_of(key), f"limits: {key} is not a joint variable", hint)
-            return None
-        before = len(self.problems.found)
-        values = self.joint_list(fields, key, [key] * 2, angles)
-        if len(values) != 2:  # noqa: PLR2004  lowest and highest
-            if values:
-                self.problems.add(fields.place_of(key), f"{key}: two values are wanted", "write [lowest, highest]")
-            return None
-        return (values[0], values[1]) if len(self.problems.found) == before else None
-
-    def pose(self, key: str, angles: frozenset[str]) -> tuple[Value, ...]:
-        """The joint values of a named pose."""
-        fields = self.fields.mapping("poses")
-        self.places["poses", key] = fields.place_of(key)
-        return self.joint_list(fields, key, self.variables, angles)
-
-    def joint_list(self, fields: Fields, key: str, joints: Sequence[str], angles: frozenset[str]) -> tuple[Value, ...]:
-        """Values of joints; what a joint is cannot be known if no row moves by it, or one cannot be read."""
-        nodes = fields.sequence(key)
-        values: list[Value] = []
-        for i, node in enumerate(nodes):
-            scalar = self.problems.scalar(node, key)
-            value = None
-            if scalar:
-                is_clear = i < len(joints) and joints[i] in self.clear
-                is_angle = joints[i] in angles if is_clear else has_unit_of_angle(scalar)
-                value = self.value(scalar, key, is_angle=is_angle)
-            values.append(value if value is not None else Angle())
-        return tuple(values)
-
-    def value(self, scalar: PlacedScalar, key: str, *, is_angle: bool) -> Value | None:
+    def value(self, scalar: PlacedScalar, key: str, is_angle: bool) -> Value | None:  # noqa: FBT001  as it is called
         """A constant angle or length."""
         return read_value(self.problems, scalar, key, is_angle=is_angle, remarks=self.remarks, unit=self.unit)
 

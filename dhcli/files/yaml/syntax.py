@@ -19,6 +19,9 @@ _NAME_WITH_BRACE = regex(r"[\w^)}\]][{\[]")
 _BRACE_HINT = "a name with braces or brackets needs quotes, such as 'alpha_{i-1}'"
 
 _KEY = regex(r"[{,]\s*([\w-]+):\s+")
+_ONE_UNIT = regex(r"\[([^\[\]]*)\]\s*(°|deg|rad|mm|cm|m|in)")
+_GLUED = regex(r"([\w-]+):(\S.*)")
+_EQUALS = regex(r"([\w-]+)\s*=\s*(\S.*)")
 _NEXT_KEY = regex(r",\s*[\w-]+:\s")
 _SEPARATED = "entries are separated by ', '; a value with a comma, a colon or a quote in it needs quotes around it"
 
@@ -28,12 +31,6 @@ TOO_DEEP = f"lists and mappings are nested more than {DEEPEST} deep"
 # A part of PyYAML's message (both parsers'), whether its context mark is the better place, our message, our hint.
 _PHRASES: tuple[tuple[str, bool, str, str], ...] = (
     ("maximum nesting depth", False, TOO_DEEP, ""),  # libyaml has a limit of its own and reads ahead of ours
-    (
-        "could not find expected ':'",
-        True,
-        "this line is neither 'key: value' nor '- entry'",
-        "a colon needs a space after it; text that goes on must be indented more than its key",
-    ),
     ("quoted scalar found unexpected", True, "this quote is never closed", "close it, or write the text without"),
     (
         "found unknown escape character",
@@ -91,7 +88,9 @@ def explain_syntax(error: yaml.MarkedYAMLError, lines: Sequence[str], place: Cal
     if "expected ',' or" in said:
         return _explain_bracket(here, start)
     if context == "while parsing a block mapping" or "document start" in said or _split(here)[1].startswith(":"):
-        return _explain_leftover(here, start)
+        return _explain_leftover(here, start, lines)
+    if "could not find expected ':'" in said:
+        return _explain_line(start, lines)
     return _explain_phrase(here, start, f"{context} {said}".strip())
 
 
@@ -108,11 +107,29 @@ def _explain_phrase(here: Place, start: Place, said: str) -> Problem:
     return Problem(f"not valid YAML: {said}", here)
 
 
+def _explain_line(start: Place, lines: Sequence[str]) -> Problem:
+    """A line among keys that has no colon."""
+    line = start.text.strip()
+    above = next((text.strip() for text in reversed(lines[: (start.line or 1) - 1]) if text.strip()), "")
+    slip = _GLUED.match(line) or _EQUALS.match(line)
+    if above.endswith(("|", ">")):
+        hint = f"text below '{above}' is indented more than its key"
+    elif line.startswith(("//", "%", "/*", ";")):
+        hint = "use # for a comment"
+    elif slip:
+        hint = f"a colon and a space stand behind a key: {slip[1]}: {slip[2]}"
+    else:
+        hint = "a colon needs a space after it; text that goes on must be indented more than its key"
+    return Problem("this line is neither 'key: value' nor '- entry'", start, hint)
+
+
 def _explain_colon(here: Place, lines: Sequence[str]) -> Problem:
     """A `: ` where no key can end."""
     before, _ = _split(here)
     if ": " in before:
-        return Problem("a second ': ' stands in one value", here, "a value with a colon needs quotes")
+        entries = before[len(before) - len(before.lstrip("- ")) :] + here.text[len(before) :]
+        hint = f"several keys on one line stand in braces: {{{entries.strip()}}}" if _NEXT_KEY.search(entries) else ""
+        return Problem("a second ': ' stands in one value", here, hint or "a value with a colon needs quotes")
     above = next((line.strip() for line in reversed(lines[: (here.line or 1) - 1]) if line.strip()), "")
     hint = "keys of one mapping start in one column"
     if re.match(r"[\w-]+:\S", above):
@@ -147,10 +164,14 @@ def _in_quotes(here: Place) -> str:
     text = (before[keys[-1].end() :] + rest[:end]).strip()
     if text[:1] in ("'", '"') and text[:1] == text[-1:]:
         text = text[1:-1]
+    if measured := _ONE_UNIT.fullmatch(text):
+        unit = measured[2] if measured[2] == "°" else f" {measured[2]}"
+        values = ", ".join(f"{value.strip()}{unit}" for value in measured[1].split(","))
+        return f"the unit stands behind each number: [{values}]"
     return f"write {keys[-1][1]}: {yaml_scalar(text)}"
 
 
-def _explain_leftover(here: Place, start: Place) -> Problem:
+def _explain_leftover(here: Place, start: Place, lines: Sequence[str]) -> Problem:
     """Something that is no part of what stands before it."""
     before, rest = _split(here)
     message, hint = "this line does not line up with the lines above it", "keys of one mapping start in one column"
@@ -166,6 +187,10 @@ def _explain_leftover(here: Place, start: Place) -> Problem:
         message, hint = "this does not belong to the value before it", "the whole value may need quotes"
     elif rest.startswith("-"):
         message, hint = "a list entry stands among the keys", "entries of a list stand under their key"
+        above = next((text for text in reversed(lines[: (here.line or 1) - 1]) if text.strip()), "")
+        if above.lstrip().startswith("- "):
+            message = "this '- ' does not stand below that of the entry above"
+            hint = f"the '- ' of one list stand in one column, here in column {above.index('-') + 1}"
     elif start is not here:
         hint = f"the keys above start in column {start.column}"
     return Problem(message, here, hint)

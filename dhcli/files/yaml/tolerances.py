@@ -24,7 +24,8 @@ def read_decimals(fields: Fields) -> int | None:
 def read_tolerance(fields: Fields) -> Tolerance:
     """What stands under the key `tolerance`; the usual tolerances where nothing does."""
     own = fields.mapping("tolerance", known=names(TOLERANCE), example="{rotation: 0.001, position: 0.5 mm}")
-    rotation, position, angle = read_number(own, "rotation"), read_number(own, "position"), read_degrees(own, "angle")
+    rotation = read_number(own, "rotation", "a direction cosine has no unit: write 0.001")
+    position, angle = read_number(own, "position"), read_degrees(own, "angle")
     for key, value in (("rotation", rotation), ("position", position), ("angle", angle)):
         if value is not None and not value >= 0:
             own.problems.add(own.place_of(key), f"{key}: a tolerance is not negative")

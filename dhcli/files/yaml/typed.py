@@ -13,6 +13,7 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
 
 MOST_DIGITS = 3
+FLAGS = {"true": True, "yes": True, "false": False, "no": False}
 NOTHING = Scope()
 """A scope without names, for values that must be constants."""
 
@@ -66,8 +67,8 @@ def has_unit_of_angle(scalar: PlacedScalar) -> bool:
         return False
 
 
-def read_number(fields: Fields, key: str) -> float | None:
-    """A plain number, or a length in metres; None if it is not there."""
+def read_number(fields: Fields, key: str, hint: str = "") -> float | None:
+    """A plain number, or a length in metres; None if it is not there. The hint says what to write in its place."""
     from dhcli.algebra.floats import Floats
 
     scalar = fields.scalar(key)
@@ -77,7 +78,7 @@ def read_number(fields: Fields, key: str) -> float | None:
     value = read_value(own, scalar, key, is_angle=False)
     for problem in own.found:
         named = problem.message if problem.message.startswith(f"{key}: ") else f"{key}: {problem.message}"
-        fields.problems.add(problem.place or scalar.place, named, problem.hint or "write a number")
+        fields.problems.add(problem.place or scalar.place, named, hint or problem.hint or "write a number")
     return Floats().value(value) if isinstance(value, Expr) else None
 
 
@@ -104,9 +105,11 @@ def read_whole(fields: Fields, key: str) -> int | None:
 def read_flag(fields: Fields, key: str) -> bool:
     """Yes or no, spelled true or false; no if it is not there."""
     scalar = fields.scalar(key)
-    if scalar is not None and scalar.text not in ("true", "false"):
-        fields.problems.add(scalar.place, f"{key}: should be true or false, is '{scalar.text}'")
-    return scalar is not None and scalar.text == "true"
+    word = "false" if scalar is None else scalar.text.lower()
+    if scalar is not None and word not in FLAGS:
+        message = f"{key}: should be true or false, is '{scalar.text}'"
+        fields.problems.add(scalar.place, message, f"write {key}: true, or leave it out")
+    return FLAGS.get(word, False)
 
 
 def read_texts(fields: Fields, key: str) -> tuple[str, ...]:

@@ -74,7 +74,7 @@ def test_a_key_has_a_place_and_a_missing_one_that_of_its_mapping() -> None:
 
 def test_all_problems_come_at_once_in_the_order_of_the_file() -> None:
     """Unknown, missing, of the wrong kind, and what the loader adds."""
-    problems, fields = document("format: 1\nlinks: {a: 1}\ntitel: PUMA\nsource:\n", "title", "source")
+    problems, fields = document("format: 1\nlinks: {a: 1}\nxyz: PUMA\nsource:\n", "title", "source")
     problems.add(fields.place_of("source"), "source: is not a book", "name one")
     fields.sequence("links")
     fields.text("source")
@@ -83,7 +83,7 @@ def test_all_problems_come_at_once_in_the_order_of_the_file() -> None:
         "robot.yaml:1:1: title: is missing",
         "robot.yaml:2:8: links: should be a list, is a mapping (write [a, b] or lines that begin with '- ')",
         "robot.yaml:2:12: '1 +' ends too soon",
-        "robot.yaml:3:1: titel: unknown key (did you mean title?)",
+        "robot.yaml:3:1: xyz: unknown key (known: format, title, source, links, parameters)",
         "robot.yaml:4:1: source: is not a book (name one)",
         "robot.yaml:4:8: source: is empty",
     ]
@@ -103,6 +103,72 @@ def test_an_unknown_key_names_the_likely_slip(text: str, hint: str) -> None:
     problems = Problems()
     problems.document(read_yaml(text, "f"), known=KNOWN)
     assert [problem.hint for problem in problems.found if "unknown key" in problem.message] == [hint]
+
+
+@pytest.mark.parametrize(
+    ("word", "key"),
+    [("titel", "title"), ("Title", "title"), ("reference", "source"), ("parameter", "parameters"), ("dh", "links")],
+)
+def test_what_stands_under_a_key_that_is_plainly_another_is_read(word: str, key: str) -> None:
+    """So that the key is not said to be missing; where it stands there too, that one counts."""
+    text = "{format: 1, title: T, source: S, links: L, parameters: P}"
+    problems = Problems()
+    required = {name: f"{name}: ..." for name in KNOWN}
+    fields = problems.document(read_yaml(text.replace(f"{key}:", f"{word}:"), "f"), known=KNOWN, required=required)
+    assert [problem.message for problem in problems.found] == [f"{word}: unknown key"]
+    assert fields.text(key) == key[0].upper()
+    both = problems.document(read_yaml(text.replace("}", f", {word}: other}}"), "f"), known=KNOWN)
+    assert both.text(key) == key[0].upper()
+
+
+def test_a_key_that_is_missing_is_shown() -> None:
+    """By an example, or by what it means."""
+    problems = Problems()
+    problems.document(read_yaml("title: T", "f"), known=KNOWN, required={"title": "", "links": "links: [a]"})
+    assert said(problems) == ["f:1:1: format: is missing (format: 1)", "f:1:1: links: is missing (links: [a])"]
+
+
+@pytest.mark.parametrize(
+    ("text", "told", "values"),
+    [
+        (
+            "{a1 = 3 mm, a2= 4}",
+            "a1: a colon stands behind a key, and not = (write a1: 3 mm)",
+            {"a1": "3 mm", "a2": "4"},
+        ),
+        (
+            "[a1 = 3, a2: 4]",
+            "parameters: should be a mapping, is a list (write {a1: 3, a2: 4})",
+            {"a1": "3", "a2": "4"},
+        ),
+        ("[a1, 4]", "parameters: should be a mapping, is a list (write 'key: value' lines)", {}),
+        ("a1", "parameters: should be a mapping, is a text (write 'key: value' lines)", {}),
+    ],
+)
+def test_a_mapping_in_another_form_is_shown_and_read(text: str, told: str, values: dict[str, str]) -> None:
+    """With `=`, or as a list."""
+    problems, fields = document(f"format: 1\nparameters: {text}\n")
+    inner = fields.mapping("parameters")
+    assert [line.partition(": ")[2] for line in said(problems)] == [told]
+    assert {key: inner.text(key) for key in inner.entries} == values
+
+
+@pytest.mark.parametrize(
+    ("text", "shown", "values"),
+    [
+        ("theta1, theta2", "[theta1, theta2]", ["theta1", "theta2"]),
+        ("(0, f(1, 2))", "[0, f(1, 2)]", ["0", "f(1, 2)"]),
+        ("first turn, then go", "['first turn, then go']", ["first turn, then go"]),
+        ("alone", "[alone]", ["alone"]),
+        ("{a: 1}", "[a, b] or lines that begin with '- '", []),
+    ],
+)
+def test_a_list_in_another_form_is_shown_and_read(text: str, shown: str, values: list[str]) -> None:
+    """With its commas, in round brackets, or as a sentence."""
+    problems, fields = document(f"format: 1\nlinks: {text}\n")
+    items = [item.text for item in fields.sequence("links") if isinstance(item, PlacedScalar)]
+    assert [problem.hint for problem in problems.found] == [f"write {shown}"]
+    assert items == values
 
 
 def test_a_sentence_that_its_commas_have_cut_is_one_problem() -> None:
@@ -165,7 +231,7 @@ def test_a_file_that_is_no_mapping_says_so() -> None:
 def test_a_file_without_a_format_is_told_so() -> None:
     """The line that lets a later dhcli know what it reads."""
     problems, _ = document("title: PUMA\n")
-    assert said(problems) == ["robot.yaml:1:1: format: is missing"]
+    assert said(problems) == ["robot.yaml:1:1: format: is missing (format: 1)"]
 
 
 @pytest.mark.parametrize("spelled", ["2", "10", "9" * 5000])

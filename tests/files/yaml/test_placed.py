@@ -405,3 +405,23 @@ def test_what_a_comma_has_cut_is_read_as_it_was_meant() -> None:
     assert [scalar.text for scalar in scalars(root)] == [*"ab", "f(1, 2)", "c", "3", "d", "g(4, 5)", "6"]
     assert len(problems) == 2
     assert read_yaml("- f(1\n- 2)\n- 'g(3, 4)'\n- [':(', ':)']\n", "f", is_foreign=True)
+
+
+@pytest.mark.parametrize(
+    ("text", "at", "hint"),
+    [
+        ("a: 1\nb:2\nc: 3\n", "2:1", "a colon and a space stand behind a key: b: 2"),
+        ("a: 1\nb = 2\nc: 3\n", "2:1", "a colon and a space stand behind a key: b: 2"),
+        ("a: 1\n// no\nc: 3\n", "2:1", "use # for a comment"),
+        ("a: |\nno\nc: 3\n", "2:1", "text below 'a: |' is indented more than its key"),
+        ("a:\n   - 1\n  - 2\n", "3:3", "the '- ' of one list stand in one column, here in column 4"),
+        ("- a: 1, b: 2\n", "1:10", "several keys on one line stand in braces: {a: 1, b: 2}"),
+        ("- {a: [1, 2]°, b: 2}\n", "1:13", "the unit stands behind each number: [1°, 2°]"),
+        ("- {a: [1, 2] mm, b: 2}\n", "1:14", "the unit stands behind each number: [1 mm, 2 mm]"),
+    ],
+)
+def test_a_slip_of_form_is_told_with_what_would_be_right(text: str, at: str, hint: str) -> None:
+    """In the author's own words where they can be mended."""
+    with pytest.raises(FileError) as error:
+        read_yaml(text, "f", is_foreign=True)
+    assert [(str(problem.place), problem.hint) for problem in error.value.problems] == [(f"f:{at}", hint)]

@@ -40,6 +40,63 @@ def test_the_arm_itself_is_right() -> None:
     assert read_robot(ARM, "arm", "arm").pattern == "RPRR"
 
 
+def test_variables_that_are_not_listed_are_shown() -> None:
+    """By what the rows move by, and nothing follows from it."""
+    with pytest.raises(FileError) as caught:
+        read_robot(ARM.replace("variables: [theta1, d2, theta3, theta4]\n", ""), "arm", "arm")
+    (problem,) = caught.value.problems
+    assert (problem.message, problem.hint) == ("variables: is missing", "variables: [theta1, d2, theta3, theta4]")
+    axes = "format: 1\ntitle: T\nsource: S\nconvention: axes\naxes:\n  - {q1: +z, through: (0, 0, 0)}\n"
+    with pytest.raises(FileError) as caught:
+        read_robot(axes, "arm", "arm")
+    assert [problem.hint for problem in caught.value.problems] == ["variables: [q1]"]
+
+
+def test_nothing_follows_from_a_table_that_is_missing() -> None:
+    """Whose name is misspelt, or that is not there at all."""
+    assert told(("links:", "Links:")) == ["7: Links: unknown key"]
+    assert told(("links:", "Rungs:")) == ["1: links: is missing", "7: Rungs: unknown key"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message", "hint"),
+    [
+        ("convention: standard", "convention: Craig", "convention: 'Craig' is not known", "write modified"),
+        ("convention: standard", "convention: classical", "convention: 'classical' is not known", "write standard"),
+        ("{a1: 300 mm}", "[a1]", "parameters: should be a mapping, is a list", "write {a1: 300 mm, a2: 0.2 m}"),
+        ("300 mm", "300 Meter", "Meter is not a name that is known here", "the unit is written m"),
+        ("[0, 250 mm]", "±250 mm", "d2: should be a list, is a text", "write [0, 100 mm]"),
+        ("[-90°, 90°]", "-90°..90°", "theta4: should be a list, is a text", "write [-90°, 90°]"),
+        ("[0, 0.1, 0, 20°]", "0", "home: should be a list, is a text", "write [90°, 100 mm, 90°, 90°]"),
+        (
+            "[0, 0.1, 0, 20°]",
+            "{theta4: 20°, theta_1: 0, d2: 0.1, theta3: 0}",
+            "home: should be a list, is a mapping",
+            "write [0, 0.1, 0, 20°]",
+        ),
+        ("poses:", "tool: [0, 0, a1]\nposes:", "tool: should be moves, is a list of lengths", "write Trans(0, 0, a1)"),
+        (
+            "poses:",
+            "tool: Trans(0, 0, 0,1)\nposes:",
+            "Trans takes three lengths, not 4",
+            "write Trans(1, 2, 3); decimals take a point: 0.5",
+        ),
+    ],
+)
+def test_a_value_in_another_form_is_one_problem_that_shows_the_right_one(
+    old: str, new: str, message: str, hint: str
+) -> None:
+    """And nothing follows from it."""
+    with pytest.raises(FileError) as caught:
+        read_robot(ARM.replace(old, new, 1), "arm", "arm")
+    assert [(problem.message, problem.hint) for problem in caught.value.problems] == [(message, hint)]
+
+
+def test_joints_are_known_in_every_spelling() -> None:
+    """θ1 is theta1, in the keys of limits too."""
+    assert set(read_robot(ARM.replace("{theta1:", "{θ_1:"), "arm", "arm").limits) == {"theta1", "d2", "theta4"}
+
+
 def test_limits_of_a_joint_that_is_not_there_say_so() -> None:
     """Not that their unit is wrong for the length that the name might be."""
     assert told(("theta4: [-90°", "theta5: [-90°")) == ["12: limits: theta5 is not a joint variable"]

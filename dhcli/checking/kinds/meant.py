@@ -1,0 +1,65 @@
+"""What an author may have meant by an `ask:` that asks nothing that is known."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from dhcli.errors import NotationError, nearest
+from dhcli.regex import regex
+
+_FRAMES = regex(r"(?:\b[Tt]_?|\bpose\s+)\{?([0-9]{1,2})\s*(?:to|-|–|→|,|;|\.{1,3}|)\s*([0-9]{1,2})\}?(?![\w.])")  # noqa: RUF001
+"""`T02`, `T_{02}`, `pose 0-2` and `pose 0 to 2`, which all are `pose 0..2`."""
+_TWO_DIGITS = regex(r"(?:\b[Tt]_?\{?|\bpose\s+)([0-9])([0-9])\}?(?![\w.])")
+_LINK = regex(r"\bA_?\{?([0-9]{1,2})\}?(?![\w.])")
+
+_CALLED = {
+    "dh": "table standard",
+    "denavit": "table standard",
+    "ik": "joints of position (0.5, 0.3, 0)",
+    "inverse kinematics": "joints of position (0.5, 0.3, 0)",
+    "forward kinematics": "pose 0..3",
+    "fk": "pose 0..3",
+    "transformation": "pose 0..3",
+    "matrix": "pose 0..3",
+    "orientation": "rotation of pose 0..3",
+    "dof": "count mobility four-bar",
+    "degrees": "count mobility four-bar",
+    "mobility": "count mobility four-bar",
+    "multiple": "choice",
+    "select": "choice",
+    "forces": "torques for (f_x, f_y, 0) of 0..3",
+}
+"""How else a question is called, by its first words."""
+
+_FEW = ("link 1", "pose 0..3", "position of pose 0..3", "table standard", "joints of position (0.5, 0.3, 0)")
+_FEW_MORE = ("jacobian of 0..3", "singular when linear of 0..3", "count mobility four-bar", "choice")
+
+
+def hint_for(text: str, unknown: str, examples: Sequence[str], read: Callable[[str], object]) -> str:
+    """What to write instead.
+
+    Args:
+        text: All that was asked.
+        unknown: The part of it that is not known.
+        examples: How each kind of question is asked.
+        read: Reads a question, and raises where there is none.
+    """
+    spelled = _LINK.sub(r"link \1", _FRAMES.sub(r"pose \1..\2", _TWO_DIGITS.sub(r"pose \1..\2", text)))
+    if spelled != text and _is_read(spelled, read):
+        return f"write {spelled}"
+    words = unknown.lower().split()
+    for start in (" ".join(words[:2]), *words[:1]):
+        if start in _CALLED:
+            return f"did you mean {_CALLED[start]}?"
+    known = {example.split()[0]: example for example in examples}
+    if similar := nearest(unknown.split(None, 1)[0] if unknown else "", known):
+        return "did you mean " + " or ".join(known[word] for word in similar) + "?"
+    return f"such as {' · '.join((*_FEW, *_FEW_MORE))}; dhcli help exercise-files lists all"
+
+
+def _is_read(text: str, read: Callable[[str], object]) -> bool:
+    try:
+        read(text)
+    except NotationError:
+        return False
+    return True

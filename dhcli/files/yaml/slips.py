@@ -1,0 +1,80 @@
+"""What an author has written in the place of a list or a mapping, where it is plain which one is meant.
+
+It is told all the same, with what would be right, and then read as it was meant, so that nothing follows from it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import TypeAlias
+
+from dhcli.files.yaml.cut import is_piece
+from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
+from dhcli.notation.brackets import split
+from dhcli.safe import yaml_scalar
+
+Entry: TypeAlias = tuple[PlacedScalar, PlacedNode]
+
+LONGEST_SHOWN = 100
+"""Characters of a list or a mapping that a hint shows."""
+
+
+def with_equals(key: PlacedScalar, value: PlacedNode) -> Entry | None:
+    """A key and its value where `=` stands between them, as in `{a1 = 0.3 m}`; None where it does not."""
+    is_empty = isinstance(value, PlacedScalar) and not value.text and not value.quoted
+    return _split(key) if is_empty and not key.quoted and is_piece(key.text, key.place) else None
+
+
+def entries_of(node: PlacedNode) -> tuple[tuple[Entry, ...], str]:
+    """The entries of a list that is meant as a mapping, `[a1 = 0.3 m, a2: 0.2 m]`, and that mapping as it is written.
+
+    Returns:
+        Nothing where that is not what it is.
+    """
+    found: list[Entry] = []
+    if not isinstance(node, PlacedSequence) or not node.items:
+        return (), ""
+    for item in node.items:
+        if isinstance(item, PlacedMapping):
+            found += item.entries
+        elif isinstance(item, PlacedScalar) and (entry := _split(item)):
+            found.append(entry)
+        else:
+            return (), ""
+    texts = (f"{key.text}: {value.text}" if isinstance(value, PlacedScalar) else "" for key, value in found)
+    return tuple(found), _shown(texts, "{}")
+
+
+def items_of(node: PlacedNode) -> tuple[tuple[PlacedScalar, ...], str]:
+    """The items of a text that is meant as a list, `theta1, theta2` or `(0, 1)`, and that list as it is written.
+
+    Returns:
+        Nothing where it is no text of one line. A sentence with commas is one item.
+    """
+    if not isinstance(node, PlacedScalar) or not node.text.strip() or "\n" in node.text:
+        return (), ""
+    text, start = node.text, 0
+    if text.startswith("(") and text.endswith(")"):
+        text, start = text[1:-1], 1
+    pieces = [(start + at + len(piece) - len(piece.lstrip()), piece.strip()) for at, piece in split(text)]
+    if any(not piece or " " in piece for _, piece in pieces) and not start:
+        return (node,), _shown([yaml_scalar(node.text) if "," in node.text else node.text], "[]")
+    items = tuple(PlacedScalar(piece, node.place_of(at)) for at, piece in pieces)
+    return items, _shown((item.text for item in items), "[]")
+
+
+def _split(scalar: PlacedScalar) -> Entry | None:
+    """What stands before and behind a `=`."""
+    name, sign, text = scalar.text.partition("=")
+    if not sign or not name.strip() or not text.strip():
+        return None
+    start = len(name) + 1 + len(text) - len(text.lstrip())
+    return replace(scalar, text=name.strip()), PlacedScalar(text.strip(), scalar.place_of(start))
+
+
+def _shown(texts: Iterable[str], brackets: str) -> str:
+    """Items in brackets, as a file has them; nothing if one is missing or they are too many."""
+    texts = tuple(texts)
+    shown = brackets[0] + ", ".join(texts) + brackets[1]
+    return shown if all(texts) and len(shown) <= LONGEST_SHOWN else ""
