@@ -151,6 +151,14 @@ def test_every_room_of_the_package_stands_in_how_it_is_built() -> None:
     assert not missing
 
 
+def test_every_file_that_how_it_is_built_names_is_there() -> None:
+    """A newcomer is sent to no file that has moved."""
+    page = (MANUAL / "explanation" / "building.md").read_text("utf-8")
+    said = set(re.findall(r"`(?:dhcli/)?((?:[a-z_]+/)+(?:[a-z_]+\.py)?)`", page))
+    assert len(said) > 25
+    assert not [name for name in said if not any((root / name).exists() for root in (ROOT / "dhcli", ROOT))]
+
+
 def test_the_robot_files_in_the_manual_load() -> None:
     """Every example of the format is a robot."""
     from dhcli.files.yaml.robots import read_robot

@@ -10,6 +10,7 @@ import pytest
 from dhcli import Solutions, follow, forward, forward_batch, inverse, inverse_batch, load_robot
 from dhcli.errors import RobotError, UnknownNameError
 from dhcli.kinematics.inverse import batch
+from dhcli.kinematics.inverse.branches import Told, with_values
 
 
 def solved(name: str, q: object, **asked: object) -> Solutions:
@@ -331,3 +332,13 @@ def test_a_family_says_at_how_many_of_its_values_there_are_solutions() -> None:
         count = str(len(held)) if held else "none"
         assert f"theta7 sampled at {family} values, {count} of them with solutions" in found.remarks[0]
         assert len(found) or "other values of theta7 reach it" in found.why
+
+
+def test_a_value_that_only_rounding_makes_differ_names_no_branch() -> None:
+    """As of a slide that is held at 0; the joint that stands elsewhere is named."""
+    q = np.array([[1e-17, 0.3, 0.2], [-0.0, 0.3 + 1e-15, 0.5]])
+    told = Told(("x", "theta2", "lift"), np.array([False, True, False]), q, {})
+    assert with_values(told, [["wrist flip"], ["wrist flip"]]) == (
+        "wrist flip, lift = 0.2 m",
+        "wrist flip, lift = 0.5 m",
+    )
