@@ -52,6 +52,11 @@ def symbols_in(exprs: Iterable[Expr]) -> frozenset[str]:
     return frozenset[str]().union(*map(symbols, exprs))
 
 
+def angles_in(expr: Expr) -> frozenset[str]:
+    """The names inside its cosines and sines."""
+    return frozenset(name for node in walk(expr) if type(node) is Trig for name in node.angle.names)
+
+
 def decimals(expr: Expr) -> tuple[int | None, ...]:
     """The decimal places of its numbers: with them expressions that are equal, such as 0.5 and 1/2, are told apart."""
     stack, found = [expr], []
