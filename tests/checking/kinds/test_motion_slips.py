@@ -133,6 +133,28 @@ def test_signs_in_several_entries_are_named_together(answer: str, words: str | N
         assert found.names == (words,)
 
 
+@pytest.mark.parametrize(
+    ("ask", "answer", "words"),
+    [
+        ("determinant of jacobian linear of 0..2", "a1*a2*s12", "the answer has s12 for s2"),
+        ("determinant of jacobian linear of 0..2", "a1*a2*c2", "the answer has c2 for s2"),
+        ("determinant of jacobian linear of 0..2", "a1^2*s2", "the answer has a1 for a2"),
+        (
+            "jacobian of 0..2",
+            "[a1*c1+a2*c12 a2*c12; -a1*s1-a2*s12 -a2*s12; 0 0; 0 0; 0 0; 1 1]",
+            "rows 1 and 2 have changed places",
+        ),
+    ],
+)
+def test_what_stands_for_something_else_of_the_robot_is_named(ask: str, answer: str, words: str) -> None:
+    """An angle that is not in the right answer at all; of a single answer no row and column is told."""
+    judge = asked("planar-2r", ask, None)
+    found = judge.check(judge.exercise.parts[0], answer).diagnosis
+    assert found is not None
+    assert found.names == (words,)
+    assert "(1,1)" not in " ".join(found.hints)
+
+
 def test_a_slip_is_named_by_the_digits_typed() -> None:
     """The root is forgotten: 0.0127 is 0.012716 to three digits; 0.01 is too little for a name."""
     judge = asked("planar-2r", "manipulability of jacobian linear of 0..2", (0.4, 1.2217304763960306))
