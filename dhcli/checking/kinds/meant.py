@@ -10,7 +10,7 @@ from dhcli.regex import regex
 _FRAMES = regex(r"(?:\b[Tt]_?|\bpose\s+)\{?([0-9]{1,2})\s*(?:to|-|–|→|,|;|\.{1,3}|)\s*([0-9]{1,2})\}?(?![\w.])")  # noqa: RUF001
 """`T02`, `T_{02}`, `pose 0-2` and `pose 0 to 2`, which all are `pose 0..2`."""
 _TWO_DIGITS = regex(r"(?:\b[Tt]_?\{?|\bpose\s+)([0-9])([0-9])\}?(?![\w.])")
-_LINK = regex(r"\bA_?\{?([0-9]{1,2})\}?(?![\w.])")
+_LINK = regex(r"(?:\blink\s+)?\bA_?\{?([0-9]{1,2})\}?(?![\w.])")
 
 _CALLED = {
     "dh": "table standard",
