@@ -21,7 +21,9 @@ _LATEX = {
     "~": r"\textasciitilde{}",
     **{sign: f"\\{sign}" for sign in "$&#%_"},
 }
-_MARKDOWN_SIGN = regex(r"[!-/:-@\[-`{-~]")
+_MARKDOWN_SIGN = regex(r"[!#$&*<>@\[-`{-~]|^[-+=]|:(?=//)|(?i:(?<=www)\.)")
+"""What begins or ends something in a line, or a line; a comma does not, and a page full of `\\,` reads badly."""
+_MARKDOWN_NUMBER = regex(r"^(\d+)(?=[.)])")
 _LATEX_SIGN = regex(r"[\\{}^~$&#%_]")
 
 
@@ -74,11 +76,11 @@ def latex(text: str) -> str:
 
 
 def markdown(text: str) -> str:
-    """Plain text in Markdown, on one line: no emphasis, link, tag or formula begins in it.
+    """Plain text in Markdown, on one line: no emphasis, link, tag, formula, list or heading begins in it.
 
-    Source: CommonMark 0.31, 2.4: any ASCII punctuation may be escaped.
+    Source: CommonMark 0.31, 2.4: any ASCII punctuation may be escaped; GitHub's extensions for links without brackets.
     """
-    return _MARKDOWN_SIGN.sub(r"\\\g<0>", one_line(text))
+    return _MARKDOWN_NUMBER.sub(r"\1\\", _MARKDOWN_SIGN.sub(r"\\\g<0>", one_line(text).strip()))
 
 
 def markdown_heading(level: int, text: str) -> str:

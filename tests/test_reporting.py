@@ -53,6 +53,10 @@ def test_what_is_not_plain_success_is_told_in_full(tmp_path: Path, monkeypatch: 
     monkeypatch.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")
     (tmp_path / "test_all.py").write_text(PROGRAM, encoding="utf-8")
     words = [f"--rootdir={tmp_path}", "-p", "no:cacheprovider", "--import-mode=importlib", "-q", str(tmp_path)]
+    words += [
+        "-p",
+        "no:unraisableexception",
+    ]  # it would search all this worker holds for garbage
     listener = Listener()
     assert pytest.main(words, plugins=[Shortly(), listener]) == pytest.ExitCode.TESTS_FAILED
     assert listener.told == TOLD

@@ -11,18 +11,13 @@ from dhcli.notation.tree import Expr
 CLOSE = 1e-9
 
 
-def equal(first: Expr, second: Expr, reach: Reach | None = None) -> bool:
+def equal(first: Expr, second: Expr) -> bool:
     """Decide equality in residues; where those cannot hold a number, at seeded points in floats.
 
     A different residue means certainly unequal; an equal one is wrong with probability below 2^-100.
-
-    Args:
-        first: An expression.
-        second: Another.
-        reach: Which values the names have; only floats need to know.
     """
     known = equal_in_residues(first, second)
-    return equal_in_floats(first, second, reach) if known is None else known
+    return equal_in_floats(first, second) if known is None else known
 
 
 def equal_in_residues(first: Expr, second: Expr) -> bool | None:

@@ -18,7 +18,7 @@ from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Call, Expr, Number, Power, Symbol, Trig
-from dhcli.notation.walk import symbols, walk
+from dhcli.notation.walk import angles_in, symbols, walk
 from dhcli.notation.writer import write
 
 Same: TypeAlias = Callable[[float, float], bool]
@@ -123,7 +123,7 @@ def _condition(typed: Expr, right: Expr, found: tuple[Sample, ...], writing: Joi
 def _quantities(typed: Expr, right: Expr, writing: Joints) -> Iterator[tuple[str, Expr]]:
     """What may have a sign: sines and cosines, the names, the truth, and what stands in the answer's functions."""
     seen = set[Expr]()
-    angles = {name for tree in (right, typed) for node in walk(tree) if type(node) is Trig for name in node.angle.names}
+    angles = angles_in(right) | angles_in(typed)
     for tree in (right, typed):
         for node in walk(tree):
             both: tuple[Expr, ...] = ()

@@ -15,12 +15,10 @@ from dhcli.kinematics.actuators import Actuators
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, convention_hint
 from dhcli.kinematics.derived import Formula, Value
 from dhcli.kinematics.given import chain_of, mapping_of, tuple_of, value_of
-from dhcli.kinematics.moves import Chain, angle_names, expressions, names, product_text
+from dhcli.kinematics.moves import Chain, angle_names, every_angle, names, product_text
 from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
 from dhcli.notation.styles import Joints
-from dhcli.notation.tree import Trig
-from dhcli.notation.walk import walk
 
 Kind = Literal["revolute", "prismatic"]
 
@@ -158,15 +156,8 @@ class Description:
     def angles(self) -> frozenset[str]:
         """Every name that stands for an angle."""
         chain = (*self.chain, *(move for tool in self.tools.values() for move in tool))
-        inside = {
-            name
-            for expr in expressions(chain)
-            for node in walk(expr)
-            if type(node) is Trig
-            for name in node.angle.names
-        }
         given = {name for name, value in self.parameters.items() if isinstance(value, Angle)}
-        return self.turning | angle_names(chain) | inside | given
+        return self.turning | every_angle(chain) | given
 
     @cached_property
     def chain(self) -> Chain:

@@ -14,7 +14,7 @@ from dhcli.notation.products import in_order_of_motion, parse_factors
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import PI, ZERO, Expr, Number, Symbol, add, multiply, negate, number
-from dhcli.notation.walk import substitute, symbols, symbols_in
+from dhcli.notation.walk import angles_in, substitute, symbols, symbols_in
 from dhcli.notation.writer import write, write_angle
 
 
@@ -146,6 +146,11 @@ def expressions(chain: Iterable[Move]) -> Iterable[Expr]:
 def angle_names(chain: Iterable[Move]) -> frozenset[str]:
     """Names that stand inside rotations."""
     return frozenset().union(*(move.angle.names for move in chain if isinstance(move, Rot)))
+
+
+def every_angle(chain: Chain) -> frozenset[str]:
+    """Names that stand for angles: inside rotations, and inside the cosines and sines of lengths."""
+    return angle_names(chain).union(*map(angles_in, expressions(chain)))
 
 
 def names(chain: Chain) -> frozenset[str]:

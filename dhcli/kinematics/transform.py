@@ -21,8 +21,7 @@ from dhcli.kinematics.moves import (
     Move,
     Rot,
     Trans,
-    angle_names,
-    expressions,
+    every_angle,
     from_factor,
     names,
     sharpened,
@@ -39,8 +38,8 @@ from dhcli.notation.pasted import pose_matrix
 from dhcli.notation.products import moves_of, parse_factors
 from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length
 from dhcli.notation.scope import Scope, usual
-from dhcli.notation.tree import ZERO, Expr, Trig
-from dhcli.notation.walk import symbols, walk
+from dhcli.notation.tree import ZERO, Expr
+from dhcli.notation.walk import symbols
 from dhcli.regex import regex
 
 MOST_IN_LETTERS = 80
@@ -221,9 +220,8 @@ def values_for(product: Product, settings: Mapping[str, str], place: Place) -> d
         NotationError: A value that cannot be read, or is of the wrong kind.
     """
     chain = product.moves
-    inside = {n for e in expressions(chain) for node in walk(e) if type(node) is Trig for n in node.angle.names}
-    angles = angle_names(chain) | inside
-    known = {canonical(name): name for name in names(chain) | inside}
+    angles = every_angle(chain)
+    known = {canonical(name): name for name in names(chain)}
     values: dict[str, Value] = {}
     for written, text in settings.items():
         name = known.get(canonical(written))

@@ -19,7 +19,7 @@ from dhcli.notation.quantity import UNITS, is_affine, value_text
 from dhcli.notation.scope import trig_name
 from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import Expr, Number, Trig
-from dhcli.notation.walk import symbols, walk
+from dhcli.notation.walk import angles_in, symbols
 
 A_NAME = "write letters from a to z or Greek ones, with digits or an index: elbow_1, l_x"
 
@@ -151,7 +151,7 @@ def _affine(link: Link, index: int, moving: list[str], turning: frozenset[str]) 
 
 
 def _inside_angle(expr: Expr, name: str) -> bool:
-    return any(type(node) is Trig and name in node.angle.names for node in walk(expr))
+    return name in angles_in(expr)
 
 
 def _frames(robot: Description) -> Iterator[Finding]:

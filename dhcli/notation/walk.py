@@ -52,6 +52,11 @@ def symbols_in(exprs: Iterable[Expr]) -> frozenset[str]:
     return frozenset[str]().union(*map(symbols, exprs))
 
 
+def angles_in(expr: Expr) -> frozenset[str]:
+    """The names inside its cosines and sines."""
+    return frozenset(name for node in walk(expr) if type(node) is Trig for name in node.angle.names)
+
+
 def decimals(expr: Expr) -> tuple[int | None, ...]:
     """The decimal places of its numbers: with them expressions that are equal, such as 0.5 and 1/2, are told apart."""
     stack, found = [expr], []
@@ -100,6 +105,22 @@ def substitute(expr: Expr, lengths: Mapping[str, Expr], angles: Mapping[str, Ang
         return node
 
     return rebuild(expr, leaf)
+
+
+def put_for(expr: Expr, instead: Mapping[Expr, Expr]) -> Expr:
+    """An expression with others in the place of some that stand in it."""
+    if expr in instead:
+        return instead[expr]
+    if not children(expr):
+        return expr
+    if isinstance(expr, Call):
+        return Call(expr.function, tuple(put_for(one, instead) for one in expr.arguments))
+    parts = [put_for(one, instead) for one in children(expr)]
+    if all(new is old for new, old in zip(parts, children(expr), strict=True)):
+        return expr  # as it is written
+    if isinstance(expr, Power):
+        return power(parts[0], expr.exponent)
+    return add(*parts) if isinstance(expr, Sum) else multiply(*parts)
 
 
 def _own_operations(node: Expr) -> int:

@@ -71,7 +71,12 @@ _KINDS = {
     "robot": _Kind(
         "a robot",
         "text.robot:robot_content",
-        {"table": "text.robot:robot_table", "latex": "text.robot:robot_latex", "csv": "text.robot:robot_csv"},
+        {
+            "table": "text.robot:robot_table",
+            "latex": "text.robot:robot_latex",
+            "csv": "text.robot:robot_csv",
+            "md": "code.markdown:robot_markdown",
+        },
     ),
     "marks": _Kind(
         "a judgement", "text.marks:marks_content", {"table": "text.marks:marks_table", "csv": "text.marks:marks_csv"}
@@ -81,7 +86,11 @@ _KINDS = {
         "code.grades:class_content",
         {"table": "text.grades:class_table", "csv": "code.grades:class_csv", "gradescope": "code.grades:gradescope"},
     ),
-    "exercise": _Kind("an exercise", "text.exercise:exercise_content", {"table": "text.exercise:exercise_table"}),
+    "exercise": _Kind(
+        "an exercise",
+        "text.exercise:exercise_content",
+        {"table": "text.exercise:exercise_table", "md": "code.markdown:exercise_markdown"},
+    ),
     "mobility at joint values": _Kind(
         "a count of freedoms", "text.at_pose:at_pose_content", {"table": "text.at_pose:at_pose_table"}
     ),

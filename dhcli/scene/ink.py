@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from itertools import accumulate, pairwise
 from operator import add
 
-from dhcli.scene.shapes import Shape, sides
+from dhcli.scene.shapes import Shape, cuts, sides
 from dhcli.scene.vectors import Flat
 
 CELL = 4
@@ -74,10 +74,7 @@ class Ink:
         top, bottom = min(y for _, y in points), max(y for _, y in points)
         for j in range(max(0, int(top / CELL)), min(self.rows, int(bottom / CELL) + 1)):
             y = (j + 0.5) * CELL
-            cuts = sorted(
-                a[0] + (y - a[1]) * (b[0] - a[0]) / (b[1] - a[1]) for a, b in edges if (a[1] <= y) != (b[1] <= y)
-            )
-            for left, right in zip(cuts[::2], cuts[1::2], strict=False):
+            for left, right in cuts(edges, y):
                 start, stop = max(0, round(left / CELL)), min(self.columns, round(right / CELL))
                 for at in range(j * self.columns + start, j * self.columns + stop):
                     self.cells[at] = max(self.cells[at], weight)

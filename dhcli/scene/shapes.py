@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TypeVar
 
 from dhcli.frozen import frozen
@@ -103,6 +103,12 @@ def ring(centre: Flat, radius: float, count: int = 24) -> tuple[Flat, ...]:
 def sides(corners: Sequence[P]) -> Iterator[tuple[P, P]]:
     """The sides of a polygon, each by its two ends."""
     return zip(corners, (*corners[1:], corners[0]), strict=True)
+
+
+def cuts(edges: Iterable[tuple[Flat, Flat]], y: float) -> Iterator[tuple[float, float]]:
+    """Where a polygon with these sides is on a level: from its left to its right, once or more often."""
+    found = sorted(a[0] + (y - a[1]) * (b[0] - a[0]) / (b[1] - a[1]) for a, b in edges if (a[1] <= y) != (b[1] <= y))
+    return zip(found[::2], found[1::2], strict=False)
 
 
 def halfway(a: Flat, b: Flat) -> Flat:

@@ -245,6 +245,7 @@ def test_the_examples_of_the_help_pages_work(dhcli: Run) -> None:
     Path("exercises/my-course/first.yaml").write_text(exercise, encoding="utf-8")
     Path("planar-two-links.sheet.yaml").rename("blank.yaml")
     Path("q.csv").write_text("0.1,0.2,0.3,0.4,0.5,0.6\n", encoding="utf-8")
+    Path("names.txt").write_text("Ada\n", encoding="utf-8")
     for line in sorted(lines, key=lambda line: not line.startswith("dhcli start")):
         done = dhcli(*split(line)[1:])
         if line.startswith("dhcli watch"):
@@ -311,7 +312,7 @@ def test_an_option_with_one_value_is_not_given_twice(dhcli: Run) -> None:
     ("words", "formats", "suffixes"),
     [
         ("list", "table, json or csv.", ".json .csv .txt"),
-        ("show", "table, json, latex or csv.", ".json .tex .csv .txt"),
+        ("show", "table, json, latex, csv or md.", ".json .tex .csv .md .txt"),
         ("dof", "table or json.", ".json .txt"),
     ],
 )

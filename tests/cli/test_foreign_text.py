@@ -11,10 +11,14 @@ import csv
 import io
 from collections.abc import Iterator
 from functools import cache
+from html import escape as html_text
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from markdown_it import MarkdownIt
 
 import dhcli
 from dhcli.render import kinds
@@ -356,9 +360,19 @@ def test_comments_of_code_are_made_in_one_place() -> None:
     assert found == []
 
 
+@given(st.text(st.characters(min_codepoint=32, max_codepoint=126), min_size=1))
+def test_markdown_shows_a_text_as_it_is(text: str) -> None:
+    """As one paragraph, by a reader of Markdown that is not ours."""
+    shown = MarkdownIt("commonmark").enable(["table", "strikethrough"]).render(markdown(text))
+    said = html_text(text.strip(), quote=False).replace('"', "&quot;")
+    assert shown == (f"<p>{said}</p>\n" if said else "")
+
+
 def test_markdown_gets_no_markup() -> None:
-    """Every sign that means something there has a backslash before it."""
-    said = markdown("# a_b *c* [d](e) <script> $x$ `f` | \n1. g")
-    assert said == r"\# a\_b \*c\* \[d\]\(e\) \<script\> \$x\$ \`f\` \|  1\. g"
+    """Every sign that means something there has a backslash before it; a comma means nothing."""
+    said = markdown("# a_b *c* [d](e) <script> $x$ `f` | \n1. g, h: i. (j)")
+    assert said == r"\# a\_b \*c\* \[d\](e) \<script\> \$x\$ \`f\` \|  1. g, h: i. (j)"
+    assert markdown("1. g") == r"1\. g"
+    assert markdown("http://a.b or www.a.b") == r"http\://a.b or www\.a.b"
     assert markdown_code("a`b\n") == "`a'b `"
     assert markdown_heading(2, "a\n# b") == r"## a \# b"

@@ -14,6 +14,7 @@ from dhcli.render.paper import Paper
 from dhcli.render.text.manual import page_text
 from tests.cli.running import Run
 from tests.cli.terminal import Terminal
+from tests.nightly import paired
 
 
 def test_without_a_topic_all_are_listed(dhcli: Run) -> None:
@@ -55,13 +56,12 @@ def test_an_unknown_topic_is_answered_with_the_nearest(dhcli: Run, typed: str, h
     assert hint in done.err
 
 
-@pytest.mark.parametrize("topic", topics(), ids=lambda topic: topic.name)
-@pytest.mark.parametrize("unicode", [True, False])
-def test_running_text_fits_a_narrow_window(topic: object, *, unicode: bool) -> None:
+@pytest.mark.parametrize(("name", "unicode"), paired([topic.name for topic in topics()], [True, False]))
+def test_running_text_fits_a_narrow_window(name: str, *, unicode: bool) -> None:
     """Examples and tables are as wide as they are; in ASCII every letter is."""
     text = page_text("# One\n\n" + "words and `code` " * 40, Paper(40, terminal=True, unicode=unicode))
     assert max(map(len, text.splitlines())) <= 40
-    drawn = page_text(read_page(topic.name), Paper(40, terminal=True, unicode=unicode))  # type: ignore[attr-defined]
+    drawn = page_text(read_page(name), Paper(40, terminal=True, unicode=unicode))
     assert unicode or drawn.isascii()
     assert "\x1b" not in drawn
 

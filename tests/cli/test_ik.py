@@ -306,6 +306,15 @@ def test_of_all_ways_to_stand_nearest_the_plainest_is_offered() -> None:
     assert np.allclose(forward(robot, list(plain)).matrix, forward(robot, list(other)).matrix, atol=1e-6)
 
 
+def test_a_pose_whose_axes_are_told_in_words_is_no_position(dhcli: Run) -> None:
+    """Three of them, with commas between, under the matrix that is meant."""
+    printed = dhcli("fk", "puma560", "--pose", "zero").out
+    assert "x' points along +x, y' points along -y, z' points along -z" in printed
+    done = dhcli("ik", "puma560", "-", stdin=printed)
+    assert (done.code, done.err) == (0, "")
+    assert "8 solutions" in done.out
+
+
 @pytest.mark.parametrize("typed", ["0.5,0.3,0", "[0.5, 0.3, 0]"])
 def test_a_position_for_a_pose_is_recognised(dhcli: Run, typed: str) -> None:
     """It has an option of its own."""

@@ -1,12 +1,14 @@
 """`transform`, `show`, `list` and `new`."""
 
 import json
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
+from markdown_it import MarkdownIt
 
-from dhcli import load_robot
+from dhcli import load_exercise, load_robot
 from tests.cli.running import Run
 
 BAJD = "Trans(8,-6,14) Rot(y,90°) Rot(z,90°)"
@@ -215,3 +217,46 @@ def test_everything_listed_can_be_shown_and_asked(dhcli: Run) -> None:
     for name in names:
         assert dhcli("show", name).code == 0, name
         assert json.loads(dhcli("fk", name, "-s", "--format", "json").out)["ok"] is True
+
+
+def table_cells(text: str) -> list[list[str]]:
+    """The cells of the table in a page of Markdown, as a reader of it finds them."""
+    tokens = MarkdownIt("commonmark").enable("table").parse(text)
+    rows: list[list[str]] = []
+    for before, token in pairwise(tokens):
+        if before.type == "tr_open":
+            rows.append([])
+        if before.type in ("th_open", "td_open"):
+            rows[-1].append(token.content)
+    return rows
+
+
+@pytest.mark.parametrize("name", ["puma560", "scara"])
+def test_a_table_for_a_page_has_the_cells_of_the_table_for_a_paper(dhcli: Run, name: str) -> None:
+    """In the same order; of moves each product is code."""
+    cells = table_cells(dhcli("show", name, "--format", "md").out)
+    paper = dhcli("show", name, "--format", "latex").out.splitlines()[1:-1]
+    if name == "puma560":
+        rows = [line.removesuffix(r" \\ \hline").removesuffix(r" \\").strip().split(" & ") for line in paper]
+        assert cells == rows
+    else:
+        assert cells[1] == ["1", f"`{load_robot(name).links[0].product}`"]
+        assert len(cells) == len(paper)
+
+
+def test_an_exercise_for_a_page_tells_its_parts_and_no_hint(dhcli: Run, tmp_path: Path) -> None:
+    """What stands indented in the task stays a formula; a variant has its own numbers."""
+    done = dhcli("show", "bajd/composed-pose", "-o", "task.md")
+    assert (done.code, done.err) == (0, "wrote task.md\n")
+    page = (tmp_path / "task.md").read_text("utf-8")
+    assert page.startswith("## A pose composed of a shift and two quarter turns\n\nThe frame")
+    assert "\n\n    H = Trans(8, -6, 14) Rot(y, 90°) Rot(z, 90°)\n\nsays." in page
+    exercise = load_exercise("bajd/composed-pose")
+    listed = [token.content for token in MarkdownIt("commonmark").parse(page) if token.type == "inline"]
+    for part in exercise.parts:
+        assert any(one.startswith(f"**{part.id}**: ".replace("_", r"\_")) for one in listed)
+        assert not any(hint in page for hint in part.hints)
+    assert "   2. the 3x3 block is the orientation, the column right of it the position" in page
+    words = ("show", "yim/planar-in-numbers", "--variant", "ada")
+    (given,) = (line for line in dhcli(*words).out.splitlines() if line.startswith("given: "))
+    assert f"\nG{given[1:]}\n" in dhcli(*words, "--format", "md").out

@@ -239,6 +239,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("dof", "--links", "4", "--joints", "3R 1P", "--planar"),
     ("dof", "--links", "n", "--joints", "2R,1C", "--lambda", "6", "-o", "d.json", "--overwrite"),
     ("start", "yim/planar-in-numbers", "--variant", "alice", "-o", "-", "--overwrite"),
+    ("start", "yim/planar-in-numbers", "--class", "q.csv", "--overwrite"),
     (
         "check",
         "yim/planar-in-numbers",

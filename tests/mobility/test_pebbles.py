@@ -24,6 +24,7 @@ from dhcli.mobility.truth import true_mobility
 from tests.mobility.dense import constraint_rank
 from tests.mobility.mechanisms import MECHANISMS
 from tests.mobility.mechanisms import linkage as mechanism
+from tests.nightly import in_turn
 
 Edge = tuple[int, int]
 
@@ -72,7 +73,7 @@ def test_the_game_finds_as_many_edges_as_the_definition(seed: int) -> None:
     assert independent(pebbles, edges) == largest_independent(pebbles, edges)
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", in_turn(range(60), 0, 2))
 def test_the_game_counts_the_rank_of_random_places(seed: int) -> None:
     """Which is that of almost all."""
     vertices, edges = framework(seed)
@@ -107,7 +108,7 @@ def linkage_of(points: list[Vector], edges: list[Edge]) -> Linkage:
     return Linkage("random", PLANAR, tuple(joints), joints[0].links[0], joints[-1].links[1])
 
 
-@pytest.mark.parametrize("seed", range(120))
+@pytest.mark.parametrize("seed", in_turn(range(120), 0, 3))
 def test_random_bars_have_the_mobility_of_their_equations(seed: int) -> None:
     """2|V| - 3 less the independent bars, against one bar that stands still."""
     vertices, edges = framework(seed)
@@ -153,7 +154,7 @@ def net(links: int, joints: int, seed: int, kinds: str = "pin") -> Linkage:
         "pin slot bar weld",
     ],
 )
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", in_turn(range(12), 0, 3))
 def test_no_placement_has_fewer_motions_than_the_game_says(seed: int, kinds: str) -> None:
     """Random ones have as many, and those in which all pins lie on one line as many or more."""
     draw = random.Random(seed)  # noqa: S311  labels, no secret

@@ -83,7 +83,7 @@ def unpacked_sdist(dist: Path, tmp_path_factory: pytest.TempPathFactory) -> Path
 def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the wheel installed and nothing else; what it depends on comes from the running Python."""
     folder = tmp_path_factory.mktemp("installed")
-    pip = (sys.executable, "-m", "pip", "--disable-pip-version-check", "install", "--quiet")
+    pip = (sys.executable, "-m", "pip", "--disable-pip-version-check", "install", "--quiet", "--no-compile")
     _run(*pip, "--no-deps", "--no-index", "--target", folder, wheel, cwd=folder)
     return folder
 

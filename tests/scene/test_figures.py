@@ -21,7 +21,7 @@ from dhcli.scene.primitives import Drum
 from dhcli.scene.shapes import Figure, Text
 from dhcli.scene.staging import ArmAt, Paper, figure_of, foot
 from dhcli.scene.words import spelled
-from tests.nightly import NIGHT
+from tests.nightly import NIGHT, paired
 from tests.scene.examples import LINKAGES, ROBOTS, long_robot, odd_robots
 
 
@@ -63,7 +63,7 @@ def test_nothing_of_a_figure_leaves_its_paper_and_no_label_is_on_another(name: s
 
 
 def test_hardly_a_label_stands_on_a_line() -> None:
-    """At most 3 in 100, over all robots from three sides, at night at all of their poses, and all linkages."""
+    """At most 3 in 100, over all robots from a side each, and all linkages; at night at all poses from three sides."""
     labels = on_ink = 0
     for figure in _all():
         ink = Ink(figure.width, figure.height)
@@ -73,14 +73,14 @@ def test_hardly_a_label_stands_on_a_line() -> None:
                 rect = _rect(text)
                 labels += 1
                 on_ink += _has_line(ink, Rect(rect.left + 4, rect.top + 6, rect.right - 4, rect.bottom - 6))
-    assert labels > 1000
+    assert labels > 400
     assert on_ink <= 0.03 * labels
 
 
 def _all() -> Iterator[Figure]:
-    for name in ROBOTS:
+    for name, view in paired(ROBOTS, (None, "iso", "front")):
         for pose in load_robot(name).poses if NIGHT else (None,):
-            yield from (_figure(name, pose, view) for view in (None, "iso", "front"))
+            yield _figure(name, pose, view)
     yield from map(_figure, LINKAGES)
 
 

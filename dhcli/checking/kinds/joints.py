@@ -12,9 +12,9 @@ from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError, WrongUnitError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving.goal import read_target, solutions
+from dhcli.checking.solving.question import Vectors, WantedJoints
 from dhcli.checking.solving.reading import read_vectors
 from dhcli.checking.solving.vectors import RADIANS, in_unit, is_clear, other_units
-from dhcli.checking.solving.wanted_joints import Vectors, WantedJoints
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.frozen import frozen

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from dhcli.checking.exercise import Case
+from dhcli.checking.solving.question import WantedJoints
 from dhcli.checking.solving.reading import Vector
 from dhcli.checking.solving.vectors import Range
-from dhcli.checking.solving.wanted_joints import WantedJoints
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import plural
 

@@ -13,9 +13,9 @@ from dhcli.checking.orientations import transposed
 from dhcli.checking.returned import Reading
 from dhcli.checking.solving.derived import derivation_of, slipped, values_at
 from dhcli.checking.solving.goal import Rows, solve
+from dhcli.checking.solving.question import WantedJoints
 from dhcli.checking.solving.reading import Vector
 from dhcli.checking.solving.vectors import FULL_TURN, Range, apart
-from dhcli.checking.solving.wanted_joints import WantedJoints
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError
 from dhcli.frozen import frozen

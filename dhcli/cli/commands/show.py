@@ -24,6 +24,8 @@ dhcli show puma560
 dhcli show puma560 --format latex
 
 dhcli show planar-in-numbers --variant alice
+
+dhcli show planar-in-numbers -o task.md
 """
 
 
@@ -34,7 +36,9 @@ def show(
     ],
     variant: Variant = None,
     *,
-    out: Annotated[Written, in_formats(("table", "json", "latex", "csv"), (".json", ".tex", ".csv", ".txt"))],
+    out: Annotated[
+        Written, in_formats(("table", "json", "latex", "csv", "md"), (".json", ".tex", ".csv", ".md", ".txt"))
+    ],
     draw: Annotated[bool, typer.Option("--draw", help="With a picture under it, in letters.")] = False,
 ) -> None:
     """Show a robot's table, a linkage's joints or an exercise's task, and where it comes from."""

@@ -18,29 +18,52 @@ dhcli start planar-two-links
 dhcli start planar-two-links -o -
 
 dhcli start planar-in-numbers --variant alice
+
+dhcli start planar-in-numbers --class names.txt -o homework-4
 """
 
 
 def start(
     name: ExerciseName,
     variant: Variant = None,
+    class_: Annotated[
+        str | None,
+        typer.Option(
+            "--class", metavar="FILE", help="A sheet for each name in FILE, one a line, with numbers of its own."
+        ),
+    ] = None,
     output: Annotated[
         str | None,
-        typer.Option("-o", "--output", metavar="FILE", callback=file_to_write, help="Where to write it; - is stdout."),
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="FILE",
+            callback=file_to_write,
+            help="Where to write it; - is stdout. With --class the folder of the sheets.",
+        ),
     ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Overwrite the file.")] = False,
 ) -> None:
-    """Write an answer sheet for an exercise."""
+    """Write an answer sheet for an exercise, or one for each student of a class."""
     from dhcli.checking.figures import subject
     from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
     from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import write_file
+    from dhcli.errors import DhcliError
     from dhcli.files.yaml.exercises import load_exercise
     from dhcli.files.yaml.sheets import write_sheet
     from dhcli.render.endings import check_ending
 
-    exercise = variant_of(Judge(load_exercise(name)), variant).exercise
+    judge = Judge(load_exercise(name))
+    if class_ is not None:
+        from dhcli.cli.shell.roster import start_class
+
+        if variant is not None or output == "-":
+            raise DhcliError("--class writes a sheet for each name into a folder", "leave out --variant, and -o -")
+        start_class(judge, class_, output, overwrite=overwrite)
+        return
+    exercise = variant_of(judge, variant).exercise
     text = write_sheet(exercise)
     if output == "-":
         write_out(text)

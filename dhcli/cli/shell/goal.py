@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.tasks import TaskName
 
 _POINT = regex(
-    r"\s*[\[(]?[^][(),;]+(?:,[^][(),;]+){2}[\])]?\s*"
+    r"\s*[\[(]?[^][(),;\n]+(?:,[^][(),;\n]+){2}[\])]?\s*"
     r"|\s*[\[(]?\s*[-+]?[.\d][^][(),;\s]*(?:\s+[-+]?[.\d][^][(),;\s]*){2}\s*[\])]?\s*"
 )
 """Three values with commas, or three numbers with blanks: no move and no matrix."""

@@ -173,16 +173,15 @@ class _Besides:
         typed = scalar.text if scalar else ""
         if typed.isdecimal() and len(typed) <= MOST_DIGITS and 1 <= int(typed) <= count:
             return int(typed)
-        letter = 1 + ord(typed.lower()) - ord("a") if len(typed) == 1 and typed.isascii() else 0
-        hint = f"write {letter}" if 1 <= letter <= count else f"write a number from 1 to {count}"
-        said = "should be the number of an option, counted from 1" + (f", is '{typed}'" if scalar else "")
-        if scalar or key not in self.fields:
+        if not count:
+            if "options" not in self.fields:
+                self.problems.add(self.fields.place, "options: is missing", "write options: [its axis, its origin]")
+        elif scalar or key not in self.fields:
+            letter = 1 + ord(typed.lower()) - ord("a") if len(typed) == 1 and typed.isascii() else 0
+            hint = f"write {letter}" if 1 <= letter <= count else f"write 1 to {count}"
+            said = f"'{typed}' is not the number of one of the {count} options, counted from 1"
             place = scalar.place if scalar else self.fields.place
-            if count:
-                self.problems.add(place, f"{key}: {said}", hint)
-            else:
-                message, example = "options: there are none", "write options: [its axis, its origin], right: 2"
-                self.problems.add(self.fields.place, message, example)
+            self.problems.add(place, f"{key}: {said if scalar else 'is missing'}", hint)
         return 1
 
     def linkage(self, name: str) -> object | None:

@@ -18,15 +18,14 @@ from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, Pla
 from dhcli.files.yaml.typed import read_flag, read_value, read_whole
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, calibrated_moves, convention_hint, moves_of
 from dhcli.kinematics.description import Description
-from dhcli.kinematics.moves import Chain, angle_names, expressions, names, read_chain, sharpened
+from dhcli.kinematics.moves import Chain, every_angle, names, read_chain, sharpened
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.validity import Finding, InvalidRobotError, findings
 from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES
 from dhcli.notation.names import canonical
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import ZERO, Expr, Trig
-from dhcli.notation.walk import walk
+from dhcli.notation.tree import ZERO, Expr
 
 ANGLES = ("alpha", "theta", "beta")
 _POSES = "{home: [0, 90°, 100 mm]}"
@@ -105,8 +104,7 @@ class Loader:
         tools = self.read_tools()
         chain = (*base, *(move for link in links for move in link.moves), *tool)
         chain += tuple(move for moves in tools.values() for move in moves)
-        inside = {n for e in expressions(chain) for node in walk(e) if type(node) is Trig for n in node.angle.names}
-        angles = angle_names(chain) | inside
+        angles = every_angle(chain)
         reader = Parameters(self.problems, self.parameters, self.remarks, self.unit)
         parameters = reader.read(lambda key: self.is_angle(key, angles))
         turns = {name: name in angles if name in self.clear else None for name in self.variables}

@@ -108,8 +108,13 @@ def judged_sheet(
     return judge.sheet(texts, {name: answer.place for name, answer in sheet.answers.items()}, only)
 
 
-def write_sheet(exercise: Exercise) -> str:
-    """A blank sheet, with comments that show how each kind of answer is written."""
+def write_sheet(exercise: Exercise, name: str = "") -> str:
+    """A blank sheet, with comments that show how each kind of answer is written.
+
+    Args:
+        exercise: The exercise.
+        name: Whose sheet it is, if that is known.
+    """
     given = f"Given: {exercise.given_text}" if exercise.given else ""
     credit = f"Worth: {worth_of(exercise)}" if worth_of(exercise) else ""
     known = [line for text in (given, robot_line(exercise), credit) if text for line in _comment(text)]
@@ -126,6 +131,7 @@ def write_sheet(exercise: Exercise) -> str:
         *(line for text in _units(exercise) for line in _comment(text)),
         "format: 1",
         f"exercise: {yaml_scalar(exercise.id)}",
+        *([f"name: {yaml_scalar(name)}"] if name else []),
         *([f"variant: {yaml_scalar(exercise.variant)}"] if exercise.variant else []),
         *_given(exercise),
         "answers:",

@@ -130,7 +130,8 @@ def with_values(told: Told, said: Sequence[Sequence[str]]) -> tuple[str, ...]:
         if times < 2:  # noqa: PLR2004
             continue
         at = [k for k, other in enumerate(names) if other == name]
-        spread = np.array([len({f"{x:.4g}" for x in column}) for column in np.degrees(told.q[at]).T.tolist()])
+        columns = np.round(np.degrees(told.q[at]), _PLACES).T + 0.0  # rounding tells nothing apart, nor does -0 from 0
+        spread = np.array([len({f"{x:.4g}" for x in column}) for column in columns.tolist()])
         j = int(np.argmax(spread))
         for k, value in zip(at, told.q[at, j].tolist(), strict=True):
             size = round(np.degrees(value) if told.turning[j] else value, _PLACES) + 0.0

@@ -8,7 +8,7 @@ from itertools import pairwise
 from dhcli.render.paper import Paper, in_ascii
 from dhcli.render.pictures.looks import LOOKS
 from dhcli.scene.labels import Lettering
-from dhcli.scene.shapes import Figure, Shape, Text, sides
+from dhcli.scene.shapes import Figure, Shape, Text, cuts, sides
 from dhcli.scene.staging import Paper as Sheet
 from dhcli.scene.vectors import Flat
 from dhcli.scene.words import Words, plain
@@ -120,10 +120,7 @@ class _Canvas:
         top, bottom = min(y for _, y in points), max(y for _, y in points)
         for j in range(max(0, math.floor(top)), min(self.high, math.ceil(bottom) + 1)):
             y = j + 0.5
-            cuts = sorted(
-                a[0] + (y - a[1]) * (b[0] - a[0]) / (b[1] - a[1]) for a, b in edges if (a[1] <= y) != (b[1] <= y)
-            )
-            for left, right in zip(cuts[::2], cuts[1::2], strict=False):
+            for left, right in cuts(edges, y):
                 for i in range(max(0, round(left)), min(self.wide, round(right))):
                     self.dot(i, j, set_=set_, ink=ink)
 

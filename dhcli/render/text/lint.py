@@ -9,7 +9,7 @@ from dhcli.errors import plural
 from dhcli.lint.files import Linted, Told
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
-from dhcli.render.text.problems import marked
+from dhcli.render.text.problems import shown_below
 
 
 def lint_table(linted: Linted, look: Look) -> str:
@@ -34,10 +34,7 @@ def _lines(told: Told, paper: Paper) -> Iterator[str]:
     problem = told.problem
     word = paper.ink("warning:", "bold", "yellow") if told.is_warning else paper.ink("error:", "bold", "red")
     yield f"{paper.spell(str(problem.place))}: {word} {paper.spell(problem.message)}"
-    if problem.place is not None and problem.place.text.strip():
-        yield from marked(problem.place, paper)
-    if problem.hint:
-        yield f"  {paper.ink('hint:', 'cyan')} {paper.spell(problem.hint)}"
+    yield from shown_below(problem, paper)
 
 
 def _content(told: Told) -> dict[str, Any]:

@@ -20,6 +20,11 @@ def problem_lines(problem: Problem, paper: Paper) -> Iterator[str]:
     """One problem on its lines."""
     where = f"{paper.spell(str(problem.place))}: " if problem.place and str(problem.place) else ""
     yield f"{paper.ink('dhcli:', 'bold', 'red')} {where}{paper.ink(paper.spell(problem.message), 'bold')}"
+    yield from shown_below(problem, paper)
+
+
+def shown_below(problem: Problem, paper: Paper) -> Iterator[str]:
+    """Under a problem: the line with its marker, and the hint."""
     if problem.place is not None and problem.place.text.strip():
         yield from marked(problem.place, paper)
     if problem.hint:

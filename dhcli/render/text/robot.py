@@ -77,14 +77,17 @@ def robot_latex(robot: Robot, _look: Look) -> str:
         rows = [[str(link.number), rf"\texttt{{{latex(link.product)}}}"] for link in robot.links]
         titles = ["$i$", "product"]
     else:
-        rows = [[str(link.number), *(f"${cell}$" for cell in _row(robot, link, "latex"))] for link in robot.links]
-        titles = [
-            "$i$",
-            *(f"${head.replace('α', chr(92) + 'alpha').replace('θ', chr(92) + 'theta')}$" for head in heads(robot)),
-        ]
+        titles, *rows = formula_rows(robot)
     body = "".join(f"  {' & '.join(row)} \\\\\n" for row in rows)
     columns = "c" + ("l" if robot.convention is Convention.PRODUCT else "c" * len(robot.columns))
     return f"\\begin{{tabular}}{{{columns}}}\n  {' & '.join(titles)} \\\\ \\hline\n{body}\\end{{tabular}}\n"
+
+
+def formula_rows(robot: Robot) -> list[list[str]]:
+    """The heads and the rows of a DH table as formulas between dollar signs."""
+    letters = (head.replace("α", r"\alpha").replace("θ", r"\theta") for head in heads(robot))
+    rows = [[str(link.number), *(f"${cell}$" for cell in _row(robot, link, "latex"))] for link in robot.links]
+    return [["$i$", *(f"${head}$" for head in letters)], *rows]
 
 
 def robot_content(robot: Robot, _look: Look) -> dict[str, Any]:

@@ -247,3 +247,21 @@ def test_every_record_has_a_name_of_its_own_and_tells_where_to_look() -> None:
         assert slip.words
         assert slip.hint not in ("", slip.words)
         assert "{" not in slip.words + slip.hint
+
+
+@pytest.mark.parametrize(
+    ("answer", "name"),
+    [
+        ("0 -1 0 8; 0 0 1 -6; -1 0 0 14; 0 0 0 1", "factors-swapped 2 and 3"),  # Trans Rot(z) Rot(y)
+        ("0 0 1 14; 1 0 0 8; 0 1 0 -6; 0 0 0 1", "first-last"),  # Rot(y) Rot(z) Trans
+        ("0 0 1 14; 1 0 0 -6; 0 1 0 -8; 0 0 0 1", "factors-swapped 1 and 2"),  # Rot(y) Trans Rot(z)
+        ("0 -1 0 6; 0 0 1 14; -1 0 0 -8; 0 0 0 1", "order-reversed"),  # Rot(z) Rot(y) Trans
+        ("0 -1 0 6; 0 0 1 8; -1 0 0 14; 0 0 0 1", "last-first"),  # Rot(z) Trans Rot(y)
+    ],
+)
+def test_three_factors_in_every_wrong_order_are_named(answer: str, name: str) -> None:
+    """H = Trans(8, -6, 14) Rot(y, 90°) Rot(z, 90°), worked out by hand in each of the other orders."""
+    exercise = load_exercise("bajd/composed-pose")
+    found = checked(exercise, exercise.part("h"), answer).diagnosis
+    assert found is not None
+    assert (name,) in [tuple(slip.name for slip in cause) for cause in found.causes]

@@ -14,6 +14,7 @@ from dhcli.kinematics.describe.description import describe, known_values
 from dhcli.kinematics.describe.proof import proved
 from dhcli.kinematics.forward import symbolic
 from tests.coupled import COUPLED
+from tests.nightly import paired
 
 ROBOTS = sorted({path.stem for path in (Path(__file__).parents[3] / "robots").glob("*.yaml")} - {*COUPLED})
 
@@ -36,8 +37,7 @@ def with_line(old: str, new: str) -> str:
     return ZHOU.replace(old, new)
 
 
-@pytest.mark.parametrize("name", [name for name in ROBOTS if not name.startswith("dh-link")])
-@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize(("name", "form"), paired([name for name in ROBOTS if not name.startswith("dh-link")], FORMS))
 def test_what_is_written_loads_and_is_the_same_motion(name: str, form: str) -> None:
     """Every robot in every form, letters, limits and poses kept."""
     robot = load_robot(name)

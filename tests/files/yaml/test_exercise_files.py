@@ -36,15 +36,12 @@ def problems(text: str) -> list[str]:
 @pytest.mark.parametrize(
     ("right", "said"),
     [
-        ("right: b", "right: should be the number of an option, counted from 1, is 'b' (write 2)"),
-        ("right: 0", "right: should be the number of an option, counted from 1, is '0' (write a number from 1 to 2)"),
-        (
-            "right: 1.5",
-            "right: should be the number of an option, counted from 1, is '1.5' (write a number from 1 to 2)",
-        ),
+        ("right: b", "right: 'b' is not the number of one of the 2 options, counted from 1 (write 2)"),
+        ("right: 0", "right: '0' is not the number of one of the 2 options, counted from 1 (write 1 to 2)"),
+        ("right: 1.5", "right: '1.5' is not the number of one of the 2 options, counted from 1 (write 1 to 2)"),
         ("right: [1]", "right: should be a text, is a list"),
         ("right:", "right: is empty"),
-        ("hints: [x]", "right: should be the number of an option, counted from 1 (write a number from 1 to 2)"),
+        ("hints: [x]", "right: is missing (write 1 to 2)"),
     ],
 )
 def test_which_option_is_right_is_told_once(right: str, said: str) -> None:
@@ -120,7 +117,7 @@ def test_all_mistakes_are_told_at_once_in_their_order() -> None:
         "my.yaml:9:11: feedback: 'always' is not known (write expected, or leave it out)",
         "my.yaml:10:23: rotation: x is not a name",
         "my.yaml:10:26: size: unknown key",
-        "my.yaml:12:53: right: should be the number of an option, counted from 1, is '3' (write a number from 1 to 2)",
+        "my.yaml:12:53: right: '3' is not the number of one of the 2 options, counted from 1 (write 1 to 2)",
         "my.yaml:13:5: id: is missing",
         "my.yaml:14:18: 'link y' asks nothing that is known (did you mean link 1",
         "my.yaml:16:5: answer: is missing (write answer: ..., or mistake: sin-cos 1)",
@@ -170,12 +167,9 @@ def test_all_mistakes_are_told_at_once_in_their_order() -> None:
             PARTS + "tests: [{part: t, answer: 1, mistake: transposed, verdict: WRONG}]\n",
             "mistake: a test tries an answer or a mistake, and not both",
         ),
-        ("parts:\n  - {id: t, ask: choice}\n", "options: there are none (write options: [its axis, "),
-        ("parts:\n  - {id: t, ask: choice, options: [a, b]}\n", "right: should be the number of an option"),
-        (
-            "parts:\n  - {id: t, ask: choice, options: [a, b], right: yes}\n",
-            "right: should be the number of an option, counted from 1, is 'yes'",
-        ),
+        ("parts:\n  - {id: t, ask: choice}\n", "options: is missing"),
+        ("parts:\n  - {id: t, ask: choice, options: [a, b]}\n", "right: is missing (write 1 to 2)"),
+        ("parts:\n  - {id: t, ask: choice, options: [a, b], right: yes}\n", "right: 'yes' is not the number of one"),
         (PARTS + "given: {θ1: 20°, theta_1: 30°}\n", "given: theta1 stands twice"),
         (PARTS + "hints: [a]\n", "hints: unknown key (it stands in a part, below parts:)"),
         (PARTS + "decimals: 2\n", "decimals: unknown key (it stands below tolerance:)"),

@@ -31,7 +31,7 @@ from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import Chain
 from dhcli.notation.tree import ONE
 from tests.coupled import COUPLED
-from tests.nightly import cases_for_nights
+from tests.nightly import cases_for_nights, in_turn, paired
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -105,7 +105,7 @@ def nasty_arm(draw: random.Random) -> Drawing:
     return Drawing(tuple(lines), end)
 
 
-@pytest.mark.parametrize("seed", cases_for_nights(range(1000), *range(80)))
+@pytest.mark.parametrize("seed", cases_for_nights(range(1000), *range(40)))
 def test_an_arm_with_axes_as_bad_as_they_come_has_tables_that_move_as_it_does(seed: int) -> None:
     """Both tables of each arm against exponentials of its lines, to 1e-13 of its size."""
     draw = random.Random(seed)  # noqa: S311  the same arms every time
@@ -119,7 +119,7 @@ def test_an_arm_with_axes_as_bad_as_they_come_has_tables_that_move_as_it_does(se
         assert np.abs(found - expected).max() <= 1e-13 * size * len(q)
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", in_turn(range(40), 0, 2))
 def test_every_frame_keeps_the_rules_of_its_normal(seed: int) -> None:
     """DH2: x is perpendicular to both lines. DH3: it passes through both."""
     drawing = nasty_arm(random.Random(1000 + seed))  # noqa: S311  the same
@@ -160,8 +160,7 @@ def test_most_tables_need_neither_base_nor_tool_when_they_are_regrouped() -> Non
     assert (len(bare), len(found)) == (17, 23)
 
 
-@pytest.mark.parametrize("name", JOINTED)
-@pytest.mark.parametrize("form", ["standard", "modified"])
+@pytest.mark.parametrize(("name", "form"), paired(JOINTED, ["standard", "modified"]))
 def test_every_robot_of_the_library_is_described_in_every_form_with_its_letters(name: str, form: str) -> None:
     """Proved for all values, steps included."""
     robot = load_robot(name)
@@ -200,7 +199,7 @@ def test_more_tables_come_out_cell_for_cell_where_the_choice_of_their_author_is_
         assert found.proof.kind == "exact"
 
 
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", in_turn(range(20), 0, 2))
 @pytest.mark.parametrize(
     "choices", [Choices(next_d=True), Choices(previous_x=True), Choices(next_d=True, previous_x=True)]
 )

@@ -12,7 +12,7 @@ from dhcli.files.library.lookup import Kind, entries
 from dhcli.kinematics.inverse.polishing import polished
 from dhcli.kinematics.inverse.question import ask
 from dhcli.kinematics.inverse.solutions import turning_joints
-from tests.nightly import NIGHT
+from tests.nightly import NIGHT, in_turn
 
 NAMES = [entry.name for entry in entries(Kind.ROBOTS) if entry.origin == "built-in"]
 MOVING = [name for name in NAMES if load_robot(name).variables]
@@ -86,7 +86,7 @@ def test_joint_values_at_random_are_found_again(name: str) -> None:
     assert best.max() < 1e-6
 
 
-@pytest.mark.parametrize("name", MOVING)
+@pytest.mark.parametrize("name", in_turn(MOVING, 0, 2))
 def test_one_pose_has_the_solutions_that_a_batch_has(name: str) -> None:
     """Both ways in give the same joint values, in whatever order."""
     robot, parameters = ready(name)
@@ -108,7 +108,7 @@ def round_values(robot: Robot, rng: np.random.Generator, beside: float) -> np.nd
     return q + beside * rng.choice([-1.0, 1.0], len(q))
 
 
-@pytest.mark.parametrize("name", ENOUGH)
+@pytest.mark.parametrize("name", in_turn(ENOUGH, 1, 2))
 def test_multiples_of_45_degrees_lose_nothing(name: str) -> None:
     """Most of these poses are singular in one way or in several: the original is a solution, or in a family told."""
     robot, parameters = ready(name)

@@ -13,6 +13,7 @@ from dhcli.files.yaml.robots import read_robot
 from dhcli.kinematics.inverse.explained import explained
 from dhcli.kinematics.inverse.path import follow
 from dhcli.kinematics.inverse.solutions import turning_joints
+from tests.nightly import some
 
 HEAD = "format: 1\ntitle: {0}\nsource: made for the tests\nconvention: standard\n"
 
@@ -114,7 +115,7 @@ def test_values_that_made_a_pose_of_a_coupled_arm_come_back_at_any_pose(name: st
     q[4:] = np.where(turning_joints(robot), np.round(q[4:] / (np.pi / 4)) * np.pi / 4, q[4:])
     poses = forward_batch(robot, q)
     values, index = inverse_batch(robot, poses)
-    for k, row in enumerate(q):
+    for k, row in some([*enumerate(q)], 3):
         found = inverse(robot, poses[k])
         assert max(np.abs(matrix(robot, other) - poses[k]).max() for other in found) < 1e-12
         assert sorted(np.round(values[index == k], 6).tolist()) == sorted(np.round(found.q, 6).tolist())

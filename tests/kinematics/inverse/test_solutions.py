@@ -9,7 +9,8 @@ import pytest
 
 from dhcli import Solutions, follow, forward, forward_batch, inverse, inverse_batch, load_robot
 from dhcli.errors import RobotError, UnknownNameError
-from dhcli.kinematics.inverse.batch import BLOCK
+from dhcli.kinematics.inverse import batch
+from dhcli.kinematics.inverse.branches import Told, with_values
 
 
 def solved(name: str, q: object, **asked: object) -> Solutions:
@@ -277,14 +278,15 @@ def test_a_batch_takes_the_nearest_or_one_of_each_pose() -> None:
 
 
 @pytest.mark.parametrize("threads", [2, 5])
-def test_threads_find_the_same_to_the_last_digit(threads: int) -> None:
-    """More blocks than one, of an arm and of one whose rows share a joint, which is computed by another arm."""
-    q = np.random.default_rng(3).uniform(-1, 1, (BLOCK + 100, 4))
+def test_threads_find_the_same_to_the_last_digit(threads: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """More blocks than threads, of an arm and of one whose rows share a joint, which is computed by another arm."""
+    monkeypatch.setattr(batch, "BLOCK", 60)
+    q = np.random.default_rng(3).uniform(-1, 1, (400, 4))
     for robot in (load_robot("scara-yim"), load_robot("palletizer")):
         poses = forward_batch(robot, q[:, : len(robot.variables)])
         alone = inverse_batch(robot, poses)
         shared = inverse_batch(robot, poses, threads=threads)
-        assert len(alone[1]) > BLOCK
+        assert len(alone[1]) >= 400
         assert all(np.array_equal(one, other) for one, other in zip(alone, shared, strict=True))
 
 
@@ -330,3 +332,13 @@ def test_a_family_says_at_how_many_of_its_values_there_are_solutions() -> None:
         count = str(len(held)) if held else "none"
         assert f"theta7 sampled at {family} values, {count} of them with solutions" in found.remarks[0]
         assert len(found) or "other values of theta7 reach it" in found.why
+
+
+def test_a_value_that_only_rounding_makes_differ_names_no_branch() -> None:
+    """As of a slide that is held at 0; the joint that stands elsewhere is named."""
+    q = np.array([[1e-17, 0.3, 0.2], [-0.0, 0.3 + 1e-15, 0.5]])
+    told = Told(("x", "theta2", "lift"), np.array([False, True, False]), q, {})
+    assert with_values(told, [["wrist flip"], ["wrist flip"]]) == (
+        "wrist flip, lift = 0.2 m",
+        "wrist flip, lift = 0.5 m",
+    )

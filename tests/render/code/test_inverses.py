@@ -19,6 +19,8 @@ from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive import derive
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import name_of
+from dhcli.kinematics.inverse.solutions import Solutions
+from dhcli.kinematics.inverse.tasks import TaskName
 from dhcli.notation.tree import ZERO, Symbol, add, multiply, negate, power
 from dhcli.render.code.inverses import inverse_code
 from dhcli.render.code.languages import LANGUAGES
@@ -26,7 +28,9 @@ from dhcli.render.code.stages import lengths_used, shared
 from dhcli.render.look import Look
 from tests.render.code.running import HERE, Call, results
 
-FEW = ("planar-2r", "scara-yim", "zhou-3r", "spherical-wrist", "palletizer")
+DATA = Path(__file__).parents[2] / "data"
+FIVE = (str(DATA / "five-axis.yaml"), str(DATA / "five-joints.yaml"))
+FEW = ("planar-2r", "scara-yim", "zhou-3r", "spherical-wrist", "palletizer", *FIVE)
 ROBOTS = (*FEW, "cylindrical", "stanford", "puma560", "ur5e")
 IN_NUMBERS = ("planar-2r", "stanford")
 Q = (0.4, 0.7, 0.5, -0.6, 0.8, 1.1)
@@ -53,6 +57,20 @@ def call(derivation: Derivation, language: str, pose: np.ndarray, lengths: Seque
     return Call(code(derivation, language), "inverse", given if language == "c" else lengths, shape, pose.tolist())
 
 
+@cache
+def reached() -> dict[str, Solutions]:
+    """What the engine finds for the pose of each robot, for all languages."""
+    return {
+        name: inverse(robot, forward(robot, Q[: len(robot.variables)]), task=task_of(name))
+        for name, robot in ((name, load_robot(name)) for name in ROBOTS)
+    }
+
+
+def task_of(name: str) -> TaskName:
+    """Whether the robot reaches places only."""
+    return "position" if derived(name).place_only else "pose"
+
+
 @pytest.mark.parametrize("language", HERE)
 def test_every_solution_comes_back(language: str, tmp_path: Path) -> None:
     """As many as the engine finds, each of them, and each once; with the robot's own lengths, given or put in."""
@@ -61,8 +79,7 @@ def test_every_solution_comes_back(language: str, tmp_path: Path) -> None:
     calls += [call(derived(name, in_its_numbers=True), language, poses[name].matrix) for name in IN_NUMBERS]
     for name, rows in zip((*ROBOTS, *IN_NUMBERS), results(language, calls, tmp_path), strict=True):
         found = np.array(rows)
-        task = "position" if derived(name).place_only else "pose"
-        engine = inverse(load_robot(name), poses[name], task=task)
+        engine = reached()[name]
         assert len(found) == len(engine), name
         assert max(engine.distances(row).min() for row in found) < 1e-9
         assert max(np.abs(np.exp(1j * found) - np.exp(1j * row)).max(axis=1).min() for row in engine) < 1e-9
@@ -93,18 +110,26 @@ def _beside(pose: np.ndarray, name: str) -> list[np.ndarray]:
     return [lifted, *turned] if not derived(name).place_only else [lifted]
 
 
+@cache
+def few_can_take() -> list[tuple[str, np.ndarray, int]]:
+    """Robots of few joints, poses as they are typed, and how many solutions the engine has, for all languages."""
+    found = []
+    for name in FEW:
+        robot = load_robot(name)
+        pose = np.array(forward(robot, Q[: len(robot.variables)]).matrix)
+        for target in (pose, *_beside(pose, name)):
+            typed = np.round(target, 4) if target is pose else target
+            found.append((name, typed, len(inverse(robot, target, task=task_of(name)))))
+    return found
+
+
 @pytest.mark.parametrize("language", HERE)
 def test_a_pose_that_few_joints_cannot_take_has_no_solution(language: str, tmp_path: Path) -> None:
     """None for what the engine has none for; those of a pose typed with four decimals are as many as of the pose."""
-    calls, wanted = list[Call](), list[int]()
-    for name in FEW:
-        robot, task = load_robot(name), "position" if derived(name).place_only else "pose"
-        pose = np.array(forward(robot, Q[: len(robot.variables)]).matrix)
-        for target in (pose, *_beside(pose, name)):
-            calls.append(call(derived(name), language, np.round(target, 4) if target is pose else target))
-            wanted.append(len(inverse(robot, target, task=task)))
+    wanted = few_can_take()
+    calls = [call(derived(name), language, pose) for name, pose, _ in wanted]
     found = [len(rows) for rows in results(language, calls, tmp_path)]
-    assert found == wanted
+    assert found == [count for _, _, count in wanted]
     assert found.count(0) > len(FEW)
 
 
@@ -146,7 +171,13 @@ STRETCHED = {
 """Joint values at which an elbow or a wrist is stretched, where rounding may put a cosine beyond 1."""
 
 
-def _singular_poses() -> list[tuple[str, np.ndarray]]:
+@cache
+def singular_poses() -> list[tuple[str, np.ndarray, bool]]:
+    """Robots, poses, and whether the engine has a solution, found once for all languages."""
+    return [(name, pose, len(inverse(load_robot(name), pose, task=task_of(name))) > 0) for name, pose in _singular()]
+
+
+def _singular() -> list[tuple[str, np.ndarray]]:
     """Stretched arms, wrists in line, and places on axis 1, which shoulders that are offset cannot reach."""
     found = [(name, np.array(forward(load_robot(name), q).matrix)) for name, q in STRETCHED.items()]
     found += [(name, np.array(forward(load_robot(name), (0,) * 6).matrix)) for name in ("stanford", "ur5e")]
@@ -163,11 +194,11 @@ def _singular_poses() -> list[tuple[str, np.ndarray]]:
 @pytest.mark.parametrize("language", HERE)
 def test_singular_poses_are_no_error_and_no_number_is_missing(language: str, tmp_path: Path) -> None:
     """Every row is finite and reaches the pose; there are some wherever the engine has one, else none."""
-    poses = _singular_poses()
-    calls = [call(derived(name), language, pose) for name, pose in poses]
-    for (name, pose), rows in zip(poses, results(language, calls, tmp_path), strict=True):
-        robot, task = load_robot(name), "position" if derived(name).place_only else "pose"
-        assert bool(len(rows)) == bool(len(inverse(robot, pose, task=task))), name
+    poses = singular_poses()
+    calls = [call(derived(name), language, pose) for name, pose, _ in poses]
+    for (name, pose, is_reached), rows in zip(poses, results(language, calls, tmp_path), strict=True):
+        robot, task = load_robot(name), task_of(name)
+        assert bool(len(rows)) == is_reached, name
         for row in rows:
             gap = np.array(forward(robot, list(row)).matrix) - pose
             assert np.abs(gap[:, 3] if task == "position" else gap).max() < 1e-7, name

@@ -20,7 +20,7 @@ from dhcli.mobility.linkage import Linkage
 from dhcli.render.pictures.picture import Picture
 from dhcli.scene.places import Places
 from dhcli.scene.words import named as words_of
-from tests.nightly import NIGHT
+from tests.nightly import NIGHT, in_turn
 from tests.scene.examples import LINKAGES, ROBOTS, odd_robots
 
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ def _asked(browser: WebDriver) -> list[str]:
     return [e["params"]["request"]["url"] for e in events if e["method"] == "Network.requestWillBeSent"]
 
 
-@pytest.mark.parametrize("name", [*ROBOTS, *LINKAGES])
+@pytest.mark.parametrize("name", in_turn([*ROBOTS, *LINKAGES], 0, 2))
 def test_a_page_names_no_address_but_those_of_namespaces(name: str) -> None:
     """Read as text, with no browser: nothing that could be fetched."""
     text = draw(_linkage(name) if name in LINKAGES else load_robot(name)).page()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, pairwise
 
 from dhcli.checking.diagnosis.mistakes.record import Catalogue, Level, Made
 from dhcli.checking.diagnosis.result import Rank
@@ -37,6 +37,28 @@ def last_first(work: Work, _setting: Setting) -> Made:
     """The newest factor on the left of all others; with two factors that is the reverse order."""
     if len(work.steps) > 2:  # noqa: PLR2004
         yield "", replace(work, steps=(work.steps[-1], *work.steps[:-1]))
+
+
+@IN_PRODUCTS(
+    "first-last",
+    "the first factor is multiplied from the right, behind all others",
+    "from which side is each new factor multiplied?",
+)
+def first_last(work: Work, _setting: Setting) -> Made:
+    """The first factor behind all others, such as a shift that is made in the turned frame."""
+    if len(work.steps) > 2:  # noqa: PLR2004  with two it is the reverse order
+        yield "", replace(work, steps=(*work.steps[1:], work.steps[0]))
+
+
+@IN_PRODUCTS("factors-swapped", "factors {where} have changed places", "in which order are the factors multiplied?")
+def swapped(work: Work, _setting: Setting) -> Made:
+    """Two neighbours of three or more moves or matrices; the rows of a table have numbers that keep them in order."""
+    steps = work.steps
+    if len(steps) > 2:  # noqa: PLR2004
+        for k, (one, other) in enumerate(pairwise(steps)):
+            if one.row is None and other.row is None:
+                changed = (*steps[:k], other, one, *steps[k + 2 :])
+                yield f"{one.name} and {other.name}", replace(work, steps=changed)
 
 
 @IN_PRODUCTS("factor-missing", "factor {where} is missing in the product", "count the factors of the product")
