@@ -21,10 +21,6 @@ _GOES_ON = ("+", "-", "*", "/", "^", "=", ",", ";", "·", "...")
 class Besides(Protocol):
     """What an exercise file says of a part besides `ask:`, for the kinds that need more."""
 
-    def has(self, key: str) -> bool:
-        """Whether a key stands there."""
-        ...
-
     def texts(self, key: str) -> tuple[str, ...]:
         """A list of texts."""
         ...

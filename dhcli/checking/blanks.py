@@ -30,7 +30,7 @@ def refuse_one_expression(text: str, cells: Sequence[Sequence[Cell]], wanted: in
     a question where both are, and no product in it is written without a blank.
 
     Args:
-        text: What was typed, without a label.
+        text: What was typed, in square brackets or none, without names before its numbers.
         cells: The cells between its blanks.
         wanted: How many are asked for.
         scope: The names it may use.

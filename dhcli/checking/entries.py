@@ -25,8 +25,10 @@ from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_plain_length
 from dhcli.notation.tree import ONE, ZERO, Expr, Number, number
 from dhcli.notation.walk import decimals, symbols
+from dhcli.regex import regex
 
 LARGEST = 256_000
+_MOVES = regex(r"\s*(?:Rot|Trans)_?\{?[xyz]?\}? ?\(")
 LEAST = 1e-12
 """What floating point leaves where an exact 0 or 1 was meant."""
 
@@ -64,7 +66,8 @@ def read_entries(question: Wanted, exercise: Exercise, text: str, place: Place |
         raise UnreadableError(f"the answer has {len(text)} characters, more than the {LARGEST} that are read")
     body = without_label(as_matrix(text, question.shape), question.shape)
     refuse_blanks(body)
-    typed = body
+    if _MOVES.match(body):
+        raise UnreadableError("these are moves; what they make was asked, number by number")
     if question.shape == (3, 1):
         is_axis = question.piece in ("axis", "vector") and not is_length(question, 0, 0)
         body = as_column(body, exercise.scope, is_axis=is_axis)
@@ -80,7 +83,7 @@ def read_entries(question: Wanted, exercise: Exercise, text: str, place: Place |
         remarks = (*(str(problem) for problem in error.problems), comma_remark(text))
         raise UnreadableError(*filter(None, remarks)) from None
     if question.shape == (3, 1):
-        refuse_one_expression(typed, cells, question.shape[0], exercise.scope)
+        refuse_one_expression(body, cells, question.shape[0], exercise.scope)
     shaped = _shaped(question, cells, text)
     entries = tuple(
         tuple(_entry(question, exercise, cell, r, c) for c, cell in enumerate(row)) for r, row in enumerate(shaped)

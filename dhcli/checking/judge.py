@@ -9,6 +9,7 @@ from typing import Any
 from dhcli.checking.diagnosis.result import Diagnosis, Slip
 from dhcli.checking.earning import earned
 from dhcli.checking.exercise import MISPRINTED, Case, Exercise, Memo, Part
+from dhcli.checking.lists import unit_for_all
 from dhcli.checking.marked import PartMark, SheetMark
 from dhcli.checking.pasted import UnreadableError, WrongUnitError, refuse_blanks
 from dhcli.checking.returned import Causes, Judged, Reading, Shown
@@ -170,7 +171,10 @@ class Judge:
             refuse_blanks(answer)
             text = unstyled(answer)
             reading = Reading(text, part.question.read(case, text, place))
-            return Judged(_credited(case, part.question.mark(case, reading)), reading)
+            mark = part.question.mark(case, reading)
+            if mark.verdict in UNSOLVED:
+                _refuse_lone_unit(case, text)
+            return Judged(_credited(case, mark), reading)
         except WrongUnitError as error:
             mark = Mark(Verdict.CANNOT_READ, answer.strip(), remarks=error.remarks, other_unit=error.unit)
             return Judged(_credited(case, mark), reading)
@@ -246,6 +250,24 @@ def check(exercise: Exercise, part: str, answer: str) -> Mark:
 def _credited(case: Case, mark: Mark) -> Mark:
     """A mark with what it earns by the rules of the exercise."""
     return replace(mark, earned=earned(case.shares, case.part.question, mark, numeric=case.exercise.numeric))
+
+
+def _refuse_lone_unit(case: Case, text: str) -> None:
+    """Ask about a wrong list whose last number alone has a unit, where it is right if that is the unit of all.
+
+    Raises:
+        UnreadableError: It is such a one.
+    """
+    meant, unit = unit_for_all(text)
+    if not meant:
+        return
+    try:
+        mark = case.part.question.mark(case, Reading(meant, case.part.question.read(case, meant, None)))
+    except (UnreadableError, NotationError):
+        return
+    if mark.verdict not in UNSOLVED:
+        where = f"{unit} stands behind the last number alone"
+        raise UnreadableError(f"{where}: if it is that of all, write it behind each, or behind a bracket")
 
 
 def is_explained(part: Part, mark: Mark) -> bool:

@@ -11,7 +11,26 @@ _SIZED = regex(r"\\(?:left|right|[bB]igg?[lr]?)(?![A-Za-z])")
 _GROUP = regex(r"(?<!\w)[(\[](?P<inside>[^()\[\]]{0,400})[)\]](?P<behind>[ \t]{0,9}[,;|]?)")
 _SEPARATED = regex(r"[,;|]")
 _NUMBERS = regex(r"[-+−]?[\d.]{1,30}°?(?:[ \t]+[-+−]?[\d.]{1,30}°?){1,9}")  # noqa: RUF001
+_PLAIN = r"[-+−]?(?:\d{1,20}(?:\.\d{0,20})?|\.\d{1,20})"  # noqa: RUF001
+_LONE_UNIT = regex(
+    r"\s{0,9}(?:\w{1,9}\s{0,9}=\s{0,9})?[(\[]?"
+    rf"(?P<numbers>{_PLAIN}(?:(?:\s{{0,9}}[,;]\s{{0,9}}|[ \t]{{1,9}}){_PLAIN}){{1,9}})"
+    r"\s{0,9}(?P<unit>°/s|°|[A-Za-z][A-Za-z·*/ ]{0,7})[)\]]?\s{0,9}\.?\s{0,9}"
+)
+LONGEST = 400
+"""Characters of a list in which the unit behind its last number may be that of all."""
 _TRANSPOSED = regex(r"(?:\^ ?\{? ?\\?(?:T|top|mathsf\{T\}) ?\}?|\.T|\.?') ?$")
+
+
+def unit_for_all(text: str) -> tuple[str, str]:
+    """A list whose last number alone has a unit, `1, 2, 3 mm`, with that behind a bracket around all; and the unit.
+
+    Both are empty where the text is no such list.
+    """
+    match = _LONE_UNIT.fullmatch(text) if len(text) <= LONGEST else None
+    if match is None:
+        return "", ""
+    return f"({', '.join(_values(match['numbers'].strip()))}) {match['unit']}", match["unit"]
 
 
 def with_unit_inside(text: str, count: int) -> str:
@@ -64,5 +83,5 @@ def closing(text: str) -> int:
 
 
 def _values(text: str) -> list[str]:
-    """The numbers between commas or semicolons; those between blanks where there are none."""
-    return re.split(r"[,;]", text) if set(text) & set(",;") else text.split()
+    """The numbers between commas, semicolons or bars; those between blanks where there are none."""
+    return re.split(r"[,;|]", text) if set(text) & set(",;|") else text.split()

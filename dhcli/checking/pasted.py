@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from dhcli.notation.commas import Shape
 from dhcli.notation.pasted import EntriesError, rows_of
 from dhcli.notation.pasted import without_label as _without_label
@@ -19,6 +21,15 @@ _UNFILLED = regex(r"(?<![\w}])_(?![\w{])")
 _NUMBER_WORDS = (
     *("zero", "one", "two", "three", "four", "five", "six"),
     *("seven", "eight", "nine", "ten", "eleven", "twelve"),
+)
+
+
+_COUNTED = regex(
+    r"\s{0,9}(?:d\.?o\.?f\.?\s{0,9}[:=]\s{0,9})?(?P<number>[a-z]{1,9}|\d{1,9})(?:\.0{1,9})?"
+    r"(?:\s{1,9}(?:d\.?o\.?f\.?s?|degrees? of freedom"
+    r"|(?:link|joint|freedom|constraint|solution|way|posture|branch)(?:e?s)?))?"
+    r"\s{0,9}\.?\s{0,9}",
+    re.IGNORECASE,
 )
 
 
@@ -64,9 +75,12 @@ def without_label(text: str, shape: Shape | None = None) -> str:
 
 
 def without_number_word(text: str) -> str:
-    """A text, or the figure for a small number that is written as a word: `six` is 6."""
-    word = text.strip().rstrip(".").casefold()
-    return str(_NUMBER_WORDS.index(word)) if word in _NUMBER_WORDS else text
+    """A text, or the figure of a whole number with what it counts, and of a small one that is a word: `six links`."""
+    match = _COUNTED.fullmatch(text)
+    number = match["number"].casefold() if match else ""
+    if number in _NUMBER_WORDS:
+        return str(_NUMBER_WORDS.index(number))
+    return number if number.isdecimal() else text
 
 
 def refuse_blanks(text: str) -> None:

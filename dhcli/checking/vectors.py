@@ -50,7 +50,7 @@ def as_column(text: str, scope: Scope, *, is_axis: bool) -> str:
         return "[" + " ".join(f"{sign}1" if name == match[2] else "0" for name in "xyz") + "]"
     if (match := _POINT.match(body)) and set(body) & set(",;|") and not scope.has(match[0].strip()):
         body = body[match.end() :]
-    if body.startswith("(") and body.endswith(")") and _closes_at_end(body):
+    if (body.startswith("(") and body.endswith(")") and _closes_at_end(body)) or (body[:1], body[-1:]) == ("<", ">"):
         body = body[1:-1]
     named = [piece for piece in _NAMED_BESIDE.split(body) if piece]  # the first name may be off, as a label is
     body = ", ".join(named) if len(named) == LENGTHS[0] else body

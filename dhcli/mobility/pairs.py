@@ -185,6 +185,7 @@ class Space:
 
 PLANAR, SPHERICAL, SPATIAL = Space(3, "planar"), Space(3, "spherical"), Space(6, "spatial")
 SPACES = {space.name: space for space in (PLANAR, SPHERICAL, SPATIAL)}
+_CALLED = {"planar": ("plane", "2d", "flat"), "spherical": ("sphere",), "spatial": ("space", "3d", "general")}
 
 
 def space_of(text: str) -> Space:
@@ -201,4 +202,6 @@ def space_of(text: str) -> Space:
     if re.fullmatch(r"[+-]?\d+", word, re.ASCII):
         hint = "a free body has 3 freedoms in the plane, 6 in space"
         raise LinkageError(f"λ = {word} is not possible; it is 1 to 6", hint)
-    raise LinkageError(f"there is no space '{text.strip()}'", "planar, spherical, spatial, or λ from 1 to 6")
+    meant = next((name for name, words in _CALLED.items() if word in words), "")
+    hint = f"write {meant}" if meant else "planar, spherical, spatial, or λ from 1 to 6"
+    raise LinkageError(f"there is no space '{text.strip()}'", hint)

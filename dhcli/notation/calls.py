@@ -9,6 +9,7 @@ from fractions import Fraction
 from dhcli.errors import plural
 from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle
 from dhcli.notation.brackets import OPENING, STEPS
+from dhcli.notation.functions import FUNCTIONS
 from dhcli.notation.glued import in_degrees
 from dhcli.notation.operators import Operators
 from dhcli.notation.quantity import ANGLE_UNITS, DimensionError, to_angle
@@ -28,6 +29,10 @@ class Calls(Operators):
     def _names_angle(self, word: str) -> bool:
         """Whether a word is an angle, or begins one."""
 
+    @abstractmethod
+    def _bracket_names_angle(self) -> bool:
+        """Whether an angle is named in the bracket that comes next, outside the functions in it."""
+
     def _fraction(self, token: Token) -> Expr:
         if self.token.kind == "number" and len(self.token.text) == 2 and self.token.text.isdecimal():  # noqa: PLR2004
             over, under = map(Fraction, self.advance().text)  # \frac12 as TeX reads it
@@ -44,6 +49,9 @@ class Calls(Operators):
         """A function with its argument: `cos(theta1)`, `cos θ1`, `sin^2 θ1`, `sqrt 3`."""
         exponent = None
         if self.take("^"):
+            if self.at("-") and self._is_inverse(name):
+                self.position += 2
+                return self._called(f"a{name}", token)
             if self.at("-"):
                 hint = f"write a{name}(0.5) for the angle, or 1/{name}(theta1)"
                 raise self.error(f"{name} to a negative power can be read in two ways", hint, token)
@@ -57,6 +65,27 @@ class Calls(Operators):
             raise self.error(f"{self.shown()} where the argument of {name} was expected", f"write {name}(theta1)")
         value = self._apply(name, arguments, token)
         return value if exponent is None else self._raised(value, exponent, token)
+
+    def _is_inverse(self, name: str) -> bool:
+        """Whether `cos⁻¹(D)` is the angle that has this cosine: what stands in the bracket has names, and no angle."""
+        start = self.position
+        if self.tokens[start + 1].text != "1" or f"a{name}" not in FUNCTIONS:
+            return False
+        self.position += 2
+        is_called = self.token.kind == "sign" and self.token.text in OPENING
+        has_names = is_called and any(token.kind == "word" for token in self._bracket())
+        has_angle = is_called and self._bracket_names_angle()
+        self.position = start
+        return has_names and not has_angle
+
+    def _bracket(self) -> Sequence[Token]:
+        """The tokens of the bracket that comes next."""
+        depth = 0
+        for at in range(self.position, len(self.tokens)):
+            depth += STEPS.get(self.tokens[at].text, 0)
+            if depth == 0:
+                return self.tokens[self.position : at + 1]
+        return self.tokens[self.position :]
 
     def _called(self, name: str, token: Token) -> Expr:
         """A function with arguments in brackets; short ones are read once, for a formula repeats few of them."""

@@ -80,12 +80,25 @@ def _groups(tokens: list[Token]) -> list[list[Token]]:
             or (item and (i == 0 or tokens[i - 1].kind == "newline"))
         ):
             i += 1
-        elif token.text in ("[", "{") and (closing := matching(tokens, i)) > i:
+        elif _opens_row(tokens, i) and (closing := matching(tokens, i)) > i:
             rows.append([inner for inner in tokens[i + 1 : closing] if inner.kind != "newline"])
             i = closing + 1
         else:
             return []
     return rows
+
+
+def _opens_row(tokens: list[Token], i: int) -> bool:
+    """Whether a bracket around a row opens here; a round one is around a line of several cells, and begins it."""
+    if tokens[i].text != "(":
+        return tokens[i].text in ("[", "{")
+    end = matching(tokens, i)
+    own = tokens[i + 1 : end]
+    begins, ends = (
+        i == 0 or tokens[i - 1].kind == "newline",
+        end + 1 >= len(tokens) or tokens[end + 1].kind == "newline",
+    )
+    return end > i and begins and ends and len(_blank_separated(own) if own else own) > 1
 
 
 def cells_in(source: Source, row: list[Token]) -> list[list[Token]]:

@@ -12,15 +12,22 @@ from dhcli.errors import nearest
 from dhcli.notation.dimensions import UNITS
 from dhcli.notation.names import GREEK_NAMES, canonical, parts
 
-FUNCTIONS = {name: name for name in ("cos", "sin", "tan", "sqrt", "acos", "asin", "atan", "atan2", "cosd", "sind")} | {
-    "arccos": "acos",
-    "arcsin": "asin",
-    "arctan": "atan",
-    "arctan2": "atan2",
-    "Cos": "cos",
-    "Sin": "sin",
-}
-"""Functions by the names people write."""
+FUNCTIONS = (
+    {name: name for name in ("cos", "sin", "tan", "sqrt", "acos", "asin", "atan", "atan2", "cosd", "sind")}
+    | {
+        "arccos": "acos",
+        "arcsin": "asin",
+        "arctan": "atan",
+        "arctan2": "atan2",
+    }
+    | {
+        written: name
+        for name in ("cos", "sin", "tan", "sqrt", "acos", "asin", "atan")
+        for written in (name.capitalize(), name.upper())
+    }
+    | {"ArcCos": "acos", "ArcSin": "asin", "ArcTan": "atan", "Atan2": "atan2"}
+)
+"""Functions by the names people write, in capitals as spreadsheets do; their ATAN2 takes x first, and is refused."""
 
 _UNREAD = {
     "abs": "write the number without its sign",
@@ -39,6 +46,7 @@ _UNREAD = {
     "asind": "write asin(0.5)",
     "atand": "write atan(0.5)",
     "atan2d": "write atan2(1, 2)",
+    "ATAN2": "a spreadsheet has x first: write atan2(y, x)",
 } | dict.fromkeys(
     (
         *("exp", "ln", "lg", "log", "log2", "log10", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "sinc", "sgn"),

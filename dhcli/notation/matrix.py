@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from dhcli.errors import Place, plural
 from dhcli.frozen import frozen
@@ -30,6 +31,8 @@ LONGEST_COLUMNS = 100
 """Tokens in the list of columns of a LaTeX array."""
 LONGEST = 64 * 2000
 
+_GOES_ON = frozenset("+-*/^,(")
+"""What a line ends in that is not the end of a row."""
 _WRAPPERS = frozenset(("array", "matrix", "Matrix", "mat"))
 _ENVIRONMENTS = frozenset(("bmatrix", "pmatrix", "matrix", "Bmatrix", "vmatrix", "smallmatrix", "array"))
 _COMMENT = regex(r"^[ \t]*[%#].*$", re.MULTILINE)
@@ -160,7 +163,10 @@ def _unwrap(tokens: list[Token]) -> list[Token]:
 
 def _has_rows(tokens: Sequence[Token]) -> bool:
     r"""Whether cells or rows are separated here, as in `(a b; c d)` or `\left(\begin{array}{cc} a & b \\ ...`."""
-    return any(depth == 0 and token.text in ("&", ";") for token, depth in with_depths(tokens))
+    ends = (previous for previous, token in pairwise(tokens) if token.kind == "newline")
+    lines = any(token.kind != "newline" and token.text not in _GOES_ON for token in ends)
+    flat = [token for token, depth in with_depths(tokens) if depth == 0]
+    return any(token.text in ("&", ";") for token in flat) or (lines and any(token.kind == "newline" for token in flat))
 
 
 def _tuples(tokens: list[Token]) -> list[Token]:

@@ -16,6 +16,7 @@ from dhcli.notation.quantity import UNITS
 from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import Source, Token
 from dhcli.notation.tree import HALF, Expr, Number, Power, Product, Unit, add, multiply, negate, power
+from dhcli.notation.walk import symbols
 
 MOST_NODES = 500
 DEEPEST = 60
@@ -85,10 +86,12 @@ class Operators(Cursor, ABC):
         if token.text == "*":
             return self._build(token, multiply, left, right)
         follower = self.token
-        if not isinstance(right, Number) and self._starts_operand() and not self._is_unit():
+        glued = not isinstance(right, Number) or (not follower.spaced and bool(symbols(left)))  # a1/2c1, not √3/2 a1
+        if glued and self._starts_operand() and not self._is_unit():
+            below = f"{right}" if isinstance(right, Number) else "b"
             raise self.error(
                 "what is divided by a product without a sign can be read in two ways",
-                f"write a/(b*{follower.text}) or a/b*{follower.text}",
+                f"write a/({below}*{follower.text}) or a/{below}*{follower.text}",
             )
         return self._build(token, lambda: multiply(left, power(right, -1)))
 

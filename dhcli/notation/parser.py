@@ -93,7 +93,9 @@ class Parser(Calls):
 
     def _word(self, token: Token) -> Expr:
         word = token.text
-        if word in ("pi", "π"):
+        if word in ("pi", "π") or (word in ("PI", "Pi") and not self.scope.has(word)):
+            if self.at("(") and self.tokens[self.position + 1].text == ")":  # a spreadsheet's PI()
+                self.position += 2
             return PI
         if word == "frac":
             return self._fraction(token)

@@ -11,12 +11,15 @@ from dhcli.notation.matrix import bracketed, parse_matrix
 from dhcli.notation.screens import equations, plain, with_factor
 from dhcli.regex import regex
 
-_LABEL = regex(r"\s*(?:[^=+*/\[\](){},;|<>\n-]|\{[^{}=\n]{0,20}\}|\([^()=\n]{0,20}\)){1,40}=\s*&?\s*(?=[^\s=])")
+_LABEL = regex(
+    r"\s*(?:\|[^|=\n]{1,9}\||[^=+*/\[\](){},;|<>\n-]|\{[^{}=\n]{0,20}\}|\([^()=\n]{0,20}\)){1,40}=\s*&?\s*(?=[^\s=])"
+)
 """`T_03 =`, `{}^{0}_{3}T =`, `p_{x} &=`: names with indices, nothing that computes."""
 _NAMED_MATRIX = regex(
     r"\s*(?:[^=\n]{0,200}=){1,4}[\s&]*(?=[^=\n&;,]{0,60}(?:\[|\\begin|\\left|array|np\.|Matrix|matrix))"
 )
 """`A B = C D =` before a matrix, with a factor or without."""
+_TABS = regex(r" *\t\s*")
 _CONTINUED = regex(r"\.\.\.[^\S\n]*(?=\n)")
 _SCREEN = regex(r"[⎡⎢⎣][^\n⎡⎢⎣⎤⎥⎦]*[⎤⎥⎦]")
 _DECLARED = regex(r"^[^\S\n]*syms\b[^\n]*$", re.MULTILINE)
@@ -39,12 +42,13 @@ def without_label(text: str, shape: Shape | None = None) -> str:
         shape: Its rows and columns, where they are known.
     """
     text = plain(text)
+    text = text.lstrip().removeprefix("=") if text.lstrip()[:1] == "=" else text  # as a spreadsheet begins a formula
     lines = _SCREEN.findall(text)
     if lines:
         return "\n".join(lines)
     text = _DECLARED.sub("", _CONTINUED.sub("", text))
     match = _NAMED_MATRIX.match(text) or _LABEL.match(text)
-    return with_points(with_factor(text[match.end() :] if match else text), shape)
+    return _without_tabs(with_points(with_factor(text[match.end() :] if match else text), shape), shape)
 
 
 def rows_of(text: str, shape: Shape) -> str:
@@ -92,6 +96,19 @@ def pose_matrix(text: str) -> str | None:
     if [len(row) for row in cells] != [4] * 4:
         return None
     return bracketed([[cell.text.strip() for cell in row] for row in cells])
+
+
+def _without_tabs(text: str, shape: Shape | None) -> str:
+    """Rows of a spreadsheet with commas for the tabs between their cells, in which blanks multiply then."""
+    if "\t" not in text or set(text) & set(",;&|"):
+        return text
+    rows = [_TABS.split(line.strip()) for line in text.split("\n") if line.strip()]
+    width = len(rows[0])
+    is_list = shape is not None and min(shape) == 1 == len(rows)
+    wanted = max(shape) if shape and is_list else shape[1] if shape else width
+    if any(len(row) != width for row in rows) or width != wanted or width == 1 or (len(rows) == 1 and not is_list):
+        return text
+    return "\n".join(", ".join(row) for row in rows)
 
 
 def _place(letter: str, index: str) -> str:

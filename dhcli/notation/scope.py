@@ -10,8 +10,12 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.names import GREEK_NAMES, canonical, is_greek, parts
 from dhcli.notation.tree import Expr, Symbol, Trig
 from dhcli.notation.trig import cosine, sine
+from dhcli.regex import regex
 
 LONGEST_WORD = 200
+
+_SIGNED = regex(r"\d(?:[+-]\d){1,8}")
+_TERM = regex(r"([+-]?)(\d)")
 
 MOST_READ = 10_000
 """Words whose readings are remembered: a scope may live as long as the answers of a whole class are marked."""
@@ -48,6 +52,10 @@ class Scope:
     def __post_init__(self) -> None:
         self._known.update(self.aliases)
         self._known.update((canonical(name), name) for name in self.names)
+        for name in self.names:  # θi is θ_i where it can be nothing else
+            stem, index = parts(name)
+            if len(index) == 1 and index.isalpha() and not (stem in self._known and index in self._known):
+                self._known.setdefault(stem + index, name)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -115,7 +123,10 @@ class Scope:
     def _angles(self, text: str) -> Iterator[Angle]:
         """The angles that the text behind `c` or `s` may stand for."""
         digits = text.strip("_{}")
-        if digits.isdecimal() and digits.isascii():
+        if text.startswith("_{") and _SIGNED.fullmatch(digits):
+            yield from self._signed(digits)
+            return
+        if (digits.isdecimal() and digits.isascii()) or any(parts(name)[1] == digits for name in self.joints):
             yield from self._indexed(digits)
             return
         if text.startswith("_{") and not text[2:3].isalnum():
@@ -138,6 +149,13 @@ class Scope:
         if self.has(word) or stem not in spellings or not index.isdecimal():
             return ()
         return tuple(self._indexed(index))
+
+    def _signed(self, index: str) -> Iterator[Angle]:
+        """The angle of an index with signs, `1-2`: that of joint 1 less that of joint 2."""
+        joints = {parts(name)[1]: Angle.of(name) for name in self.joints}
+        terms = [("-" if sign == "-" else "+", digit) for sign, digit in _TERM.findall(index)]
+        if all(digit in joints for _, digit in terms):
+            yield sum((joints[digit] if sign == "+" else -joints[digit] for sign, digit in terms), Angle())
 
     def _indexed(self, digits: str) -> Iterator[Angle]:
         joints = {parts(name)[1]: name for name in self.joints}

@@ -7,6 +7,8 @@ what it does not know for certain, and goes through a text once.
 
 from __future__ import annotations
 
+import re
+
 from dhcli.regex import regex
 
 LONGEST = 200_000
@@ -29,7 +31,9 @@ _MORE_HEADING = regex(r"^[^=⎡⎢⎣\[]{1,20} = [^·]{1,40}(?: · .*)?$|^length
 _LET = regex(r"^[^\S\n]*(?:let[^\S\n]+)?(k[0-9]{1,3})[^\S\n]*=[^\S\n]*(\S.*)$")
 _NAME_OF_BRACKET = regex(r"(?<![\w.])k[0-9]{1,3}(?![\w])")
 _COMMON_FACTOR = regex(r"\s*([0-9](?:\.[0-9]{1,20})?[eE][+-]?[0-9]{1,3})[^\S\n]*\*[^\S\n]*\n")
-_STYLED = regex(r"[\U0001d400-\U0001d7ff\u210e\uff01-\uff5e\u3000]")
+_STYLED = regex(r"[\U0001d400-\U0001d7ff\u210e\uff01-\uff5e\u3000\u2460-\u24ff]")
+_LOWERED = regex(r"[\u2080-\u208e\u2090-\u209c\u1d62-\u1d6a\u2c7c]{1,12}")
+"""An index in small letters, digits and signs, `αᵢ₋₁`."""
 _SIGNS = {
     "ᵀ": "^T",
     "⟨": "(",
@@ -45,8 +49,12 @@ _SIGNS = {
     "⅔": "(2/3)",
     "¼": "(1/4)",
     "¾": "(3/4)",
+    "〖": "(",
+    "〗": ")",
+    **dict.fromkeys("\u2061\u2063\u200b\u2060\ufeff\u00ad", ""),
+    "\u2062": "*",
 }
-"""What stands around vectors and in those of their axes, to the hat of k̂; and fractions in one sign."""
+"""What stands around vectors and in those of their axes, to the hat of k̂; fractions in one sign; what no eye sees."""
 _MIXED = regex(r"(?<![\w.,])([0-9]{1,30})([½⅓⅔¼¾])")
 """A mixed number: 2½ is two and a half, not twice a half."""
 
@@ -69,12 +77,20 @@ def plain(text: str) -> str:
 def unstyled(text: str) -> str:
     """A text with plain letters, digits and signs for those that papers set and wide keyboards type: 𝜃 is θ.
 
-    A raised T, angle brackets of a vector and ½ become what is read there; letters that only look alike stay.
+    A raised T, angle brackets of a vector and ½ become what is read there, an index of small letters `_{i-1}`, a
+    matrix of Word's `■(a&b@c&d)` rows with semicolons; letters that only look alike stay.
     """
     if text.isascii():
         return text
     from unicodedata import normalize  # few texts need it
 
+    def index(match: re.Match[str]) -> str:
+        plain = normalize("NFKC", match[0]).replace("−", "-")  # noqa: RUF001
+        return match[0] if plain.isdecimal() else f"_{{{plain}}}"
+
+    if "■" in text or "█" in text:
+        text = text.replace("■", "").replace("█", "").replace("@", ";")
+    text = _LOWERED.sub(index, text)
     styled = "".join(normalize("NFKC", one) if _STYLED.match(one) else one for one in text)
     return "".join(_SIGNS.get(one, one) for one in _MIXED.sub(r"(\1+\2)", styled))
 

@@ -410,7 +410,9 @@ def _power_of_number(base: Number, exponent: Fraction) -> Expr:
         size = max(base.value.numerator.bit_length(), base.value.denominator.bit_length())
         if size * abs(exponent.numerator) > MOST_BITS:
             raise OverflowError
-        return Number(base.value**exponent.numerator)
+        value = base.value**exponent.numerator
+        places = places_of(value) if base.places else None
+        return Number(value, places if places is not None and places <= MOST_PLACES else None)
     if exponent.denominator == 2 and base.value >= 0:  # noqa: PLR2004  a square root
         outside, root = square_root(base.value)
         whole = power(Number(base.value), (exponent - HALF).numerator)

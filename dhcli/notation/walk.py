@@ -102,6 +102,22 @@ def substitute(expr: Expr, lengths: Mapping[str, Expr], angles: Mapping[str, Ang
     return rebuild(expr, leaf)
 
 
+def put_for(expr: Expr, instead: Mapping[Expr, Expr]) -> Expr:
+    """An expression with others in the place of some that stand in it."""
+    if expr in instead:
+        return instead[expr]
+    if not children(expr):
+        return expr
+    if isinstance(expr, Call):
+        return Call(expr.function, tuple(put_for(one, instead) for one in expr.arguments))
+    parts = [put_for(one, instead) for one in children(expr)]
+    if all(new is old for new, old in zip(parts, children(expr), strict=True)):
+        return expr  # as it is written
+    if isinstance(expr, Power):
+        return power(parts[0], expr.exponent)
+    return add(*parts) if isinstance(expr, Sum) else multiply(*parts)
+
+
 def _own_operations(node: Expr) -> int:
     if type(node) is Sum:
         return len(node.terms) - 1

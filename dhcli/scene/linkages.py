@@ -62,7 +62,8 @@ def stage_linkage(linkage: Linkage, view: tuple[float, float] | None) -> Staged:
 
 def caption_of(linkage: Linkage) -> str:
     """Name, links and joints in one line."""
-    return f"{linkage.name} · {len(linkage.links)} links, {linkage.pattern}"
+    name = f"{linkage.name} · " * (linkage.name != linkage.title)
+    return f"{name}{len(linkage.links)} links, {linkage.pattern}"
 
 
 def graph_figure(linkage: Linkage, paper: Paper, caption: list[Text]) -> Figure:

@@ -18,8 +18,8 @@ from tests.cli.running import Run
 ROOT = Path(__file__).parents[2]
 ABOUT_ROBOTS = ("fk", "ik", "jacobian", "rates", "torques", "singularities", "sweep", "draw", "describe", "check")
 TOOL = "Trans(0,0,0.1) Rot(z,45°)"
-OWN_WORDS = {("ik", "--q"), ("ik", "--pose"), ("draw", "--to")}
-"""Options that mean something else: where the pose to reach stands, and where a film goes."""
+OWN_WORDS = {("ik", "--q"), ("ik", "--pose"), ("draw", "--to"), ("describe", "--pose")}
+"""Options that mean something else: the pose to reach, where a film goes, and in which pose a saved robot is drawn."""
 
 
 def options(command: str) -> dict[str, str]:

@@ -178,6 +178,20 @@ def test_a_path_tells_what_it_cannot_reach(dhcli: Run) -> None:
     assert [line.split(",")[0] for line in done.out.splitlines()] == ["row", "2", "4"]
 
 
+def test_a_path_of_a_palletizer_is_followed(dhcli: Run) -> None:
+    """Its rods move joints together; the rows come back, and the one out of reach is told."""
+    q = "j1,j2,j3,j4\n" + "".join(f"{0.1 * k:.1f},{1.5 - 0.1 * k:.1f},{-0.1 * k:.1f},{0.4 * k:.1f}\n" for k in range(5))
+    head, *poses = (line.split(",") for line in dhcli("fk", "palletizer", "--in", "-", stdin=q).out.splitlines())
+    poses[2][head.index("p_z")] = "9.0"
+    rows = "".join(",".join(row) + "\n" for row in (head, *poses))
+    done = dhcli("ik", "palletizer", "--in", "-", "--follow", "--near", "0,1.5,0,0", stdin=rows)
+    assert done.code == 1
+    assert "out of reach, and without a row: row 4" in done.err
+    found = np.loadtxt(io.StringIO(done.out), delimiter=",", skiprows=1)[:, 1:]
+    wanted = np.loadtxt(io.StringIO(q), delimiter=",", skiprows=1)
+    assert found == pytest.approx(np.delete(wanted, 2, axis=0), abs=1e-9)
+
+
 @pytest.mark.parametrize(
     ("options", "said"),
     [

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+
+import pytest
 
 from dhcli.files.library.lookup import Kind, find
 from tests.lint.linting import Broken, assert_told, cases, findings
-
-if TYPE_CHECKING:
-    import pytest
 
 CLEAN = """\
 format: 1
@@ -83,3 +81,48 @@ def test_points_in_millimetres_without_their_unit_are_told_once(tmp_path: Path) 
     loop = head.replace("planar", "spatial") + f"loop:\n  convention: standard\n  rows:\n{4 * row}"
     (found,) = findings(tmp_path, loop)
     assert (found.at, found.message) == ("5:1", "a point: a coordinate of 300 m is larger than any linkage")
+
+
+def test_a_joint_whose_place_is_forgotten_is_told(tmp_path: Path) -> None:
+    """Of a linkage without any points nothing is: only its formula is wanted."""
+    text = CLEAN[: CLEAN.index("points:")] + (
+        "points: {O: [0, 0], A: [0.1, 0.2], B: [0.5, 0]}\n"
+        "joints:\n"
+        "  - ground R crank at O\n"
+        "  - crank R rod at A\n"
+        "  - rod R slider at B\n"
+        "  - slider P ground along x\n"
+    )
+    assert findings(tmp_path, text) == []
+    (found,) = findings(tmp_path, text.replace(" along x", ""))
+    assert (found.at, found.message) == ("10:5", "joint 4: its axis is not said")
+    assert (found.hint, found.is_warning) == ("without it only the formula counts", True)
+    bare = text.replace(" at O", "").replace(" at A", "").replace(" at B", "").replace(" along x", "")
+    assert findings(tmp_path, bare) == []
+
+
+def test_a_pin_that_is_no_point_is_told_also_where_one_bar_alone_has_it(tmp_path: Path) -> None:
+    """It is a slip of the pen."""
+    told = findings(tmp_path, CLEAN.replace("left: [A, B]", "left: [A, b]"))
+    assert [(one.at, one.message, one.hint) for one in told] == [
+        ("8:13", "bars: there is no point called b", "did you mean B?")
+    ]
+
+
+@pytest.mark.parametrize(("word", "meant"), [("plane", "planar"), ("2D", "planar")])
+def test_a_space_in_other_words_is_told_alone(tmp_path: Path, word: str, meant: str) -> None:
+    """Not that its points lack a third coordinate."""
+    (found,) = findings(tmp_path, CLEAN.replace("space: planar", f"space: {word}"))
+    assert (found.message, found.hint) == (f"space: there is no space '{word}'", f"write {meant}")
+    (found,) = findings(tmp_path, CLEAN.replace("space: planar\n", ""))
+    assert found.message == "space: is missing"
+
+
+def test_points_in_round_brackets_are_shown_in_square_ones(tmp_path: Path) -> None:
+    """Between braces, where their comma ends them, and in lines."""
+    (found,) = findings(tmp_path, CLEAN.replace("A: [0, 0]", "A: (0, 0)"))
+    assert found.hint == "write A: [0, 0], or as a text '(0, 0)'"
+    lines = CLEAN.replace("points: {A: [0, 0], B:", "points:\n  A: (0, 0)\n  B:").replace(", 1], C", ", 1]\n  C")
+    lines = lines.replace("], D", "]\n  D").replace("], E", "]\n  E").replace("}", "")
+    (found,) = findings(tmp_path, lines)
+    assert (found.message, found.hint) == ("A: should be a list, is a text", "write [0, 0]")

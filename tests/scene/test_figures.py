@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
 
 import pytest
@@ -15,7 +16,7 @@ from dhcli.mobility.linkage import Linkage
 from dhcli.scene.camera import ViewError, read_view
 from dhcli.scene.ink import CELL, LINE, Ink
 from dhcli.scene.labels import PRINT, Rect
-from dhcli.scene.linkages import linkage_figure
+from dhcli.scene.linkages import caption_of, linkage_figure
 from dhcli.scene.primitives import Drum
 from dhcli.scene.shapes import Figure, Text
 from dhcli.scene.staging import ArmAt, Paper, figure_of, foot
@@ -268,3 +269,11 @@ def test_the_ground_that_is_a_plate_is_hatched_along_its_outer_side() -> None:
     assert (
         min(math.dist(a, middle) for a, _ in strokes) > sorted(math.dist(pin, middle) for pin in pins)[len(pins) // 2]
     )
+
+
+def test_a_title_that_is_the_name_stands_once_below_a_linkage() -> None:
+    """As it does below an arm."""
+    bars = load_linkage("watt")
+    assert isinstance(bars, Linkage)
+    assert caption_of(bars).startswith(f"watt · {len(bars.links)} links, ")
+    assert caption_of(replace(bars, title="watt")) == caption_of(bars).removeprefix("watt · ")

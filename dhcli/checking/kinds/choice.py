@@ -18,6 +18,11 @@ from dhcli.regex import regex
 
 _LABEL = regex(r"[(\[]?([0-9]{1,3}|[a-z])[)\].:]{0,2}(?: (.+))?")
 
+_CALLED = regex(
+    r"^(?:(?:answer|option|statement|choice|number|no|nr)(?:\s{0,9}[:.]\s{0,9}|\s{1,9})|#\s{0,9})"
+    r"(?=[(\[]?(?:\d{1,3}|[a-z])[)\].:]{0,2}$)"
+)
+"""What stands before the number of a statement, `option 2`, `answer: b`."""
 LISTED = 240
 """Characters that the statements together may have to be listed in a message."""
 
@@ -60,7 +65,7 @@ class ChoiceQuestion(Question[int]):
         yield Shown(f"The answer is {self.right}: {self.options[self.right - 1]}")
 
     def read(self, _case: Case, text: str, _place: Place | None = None) -> int:
-        answer = " ".join(text.split()).casefold()
+        answer = _CALLED.sub("", " ".join(text.split()).casefold(), count=1)
         label = _LABEL.fullmatch(answer)
         found = self._worded(answer, whole=label is not None and not label[2])
         if label is not None and not found:

@@ -23,7 +23,16 @@ from dhcli.kinematics.conventions import ORDER, moves_of
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.moves import Chain, spelled
 from dhcli.kinematics.robot import Robot
+from dhcli.notation.brackets import STEPS
 from dhcli.notation.scope import Scope
+from dhcli.regex import regex
+
+_BETWEEN = frozenset(",;→⟶⇒")
+_NUMBER = regex(r"(^|\n)[ \t]{0,9}1?\d[.)][ \t]{1,9}(?=[A-Za-z])")
+_IN_INDEX = regex(r"\b(Rot|Trans|R|T|D)_\{ ?([xyz]) ?, ?([^{},]{1,40}(?:\{[^{}]{1,20}\})?)\}")
+"""`Rot_{z,θ_i}`, a move whose axis and angle stand in its index."""
+_INDEX_OF_AXIS = regex(r"\(\s{0,9}([xyz])(?:\d|_\{?[\w-]{1,5}\}?)\s{0,9},")
+"""Which axis z is of a link is known: that of the frame before it, and x that of its own."""
 
 
 @frozen
@@ -60,7 +69,8 @@ class FactorsQuestion(AlternativesQuestion[Chain]):
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Chain:
         exercise = case.exercise
-        return chain_in_metres(without_label(text), exercise.metres, exercise.scope, place or Place("answer"))
+        product = as_product(without_label(text))
+        return chain_in_metres(product, exercise.metres, exercise.scope, place or Place("answer"))
 
     def mark(self, case: Case, reading: Reading[Chain]) -> Mark:
         return _mark(case.exercise, link_of(case.exercise, self.link).moves, reading.value, case.tolerance)
@@ -93,6 +103,16 @@ class FactorsQuestion(AlternativesQuestion[Chain]):
             is_product = one.mistake.level is not Level.MATRIX and one.work.multiplied is Multiplied.IN_ORDER
             if is_product and one.work.steps != steps:
                 yield asked(one.slips[0], tuple(move for step in one.work.steps for move in step.chain))
+
+
+def as_product(text: str) -> str:
+    """Moves as a product: commas, arrows and numbers of a list between them go, and so do the indices of axes."""
+    text = _IN_INDEX.sub(r"\1(\2, \3)", _NUMBER.sub(r"\1", text))
+    kept, depth = [], 0
+    for letter in _INDEX_OF_AXIS.sub(r"(\1,", text):
+        depth += STEPS.get(letter, 0)
+        kept.append(" " if not depth and letter in _BETWEEN else letter)
+    return "".join(kept)
 
 
 def _spelled(chain: Chain, exercise: Exercise) -> str:

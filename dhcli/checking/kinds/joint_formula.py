@@ -159,10 +159,18 @@ class JointFormulaQuestion(Question[Formula]):
         cases = self._cases(case)
         typed = [reading.value.at(one.known) for one in cases]
         found = tuple((slip,) for slip, _, values in self._showing(case) if self._agree(typed, values))
-        if found or any(covering.tried(reading.value, cases, self._asked, self._derivation(case).robot).hits):
-            return found
-        # a slip, and of its values not all: `atan2(px, py)` where two angles are asked for
-        return tuple((slip,) for slip, _, values in self._showing(case) if self._agree(typed, values, partly=True))
+        if not found and not any(covering.tried(reading.value, cases, self._asked, self._derivation(case).robot).hits):
+            # a slip, and of its values not all: `atan2(px, py)` where two angles are asked for
+            found = tuple((slip,) for slip, _, values in self._showing(case) if self._agree(typed, values, partly=True))
+        return found or self._in_terms(case, reading.value)
+
+    def _in_terms(self, case: Case, formula: Formula) -> Causes:
+        """A slip in the terms of the formula, of which there are too many to have them all ready."""
+        from dhcli.checking.solving.formula_slips import slips_in_terms
+
+        derivation = self._derivation(case)
+        step, cases = formula_of(derivation, self.joints), self._cases(case)
+        return tuple((slip,) for slip in slips_in_terms(formula, step, derivation.robot, self._asked, cases))
 
     # --- Its parts -------------------------------------------------------------------------------------------------
 

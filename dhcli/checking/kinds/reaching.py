@@ -21,8 +21,11 @@ from dhcli.regex import regex
 
 _LIMITS = regex(r"(?:within\s+limits)?")
 MOST_TYPED = 10_000
-WORDS = {"yes": True, "y": True, "true": True, "reached": True, "no": False, "n": False, "false": False}
-_WORD = regex(r"\s*(?P<word>[a-z]+)\b.*", re.DOTALL | re.IGNORECASE)
+WORDS = {
+    **dict.fromkeys(("yes", "y", "true", "reached", "reachable"), True),
+    **dict.fromkeys(("no", "n", "false", "unreachable", "not reached", "not reachable"), False),
+}
+_WORD = regex(r"\s*(?:it(?:'s| is) )?(?P<word>not reach(?:ed|able)|[a-z]+)\b.*", re.DOTALL | re.IGNORECASE)
 
 
 def _asked(text: str, scope: Scope, place: Place | None) -> tuple[Target, bool]:

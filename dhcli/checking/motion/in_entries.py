@@ -62,12 +62,18 @@ def sign_causes(right: Grid, given: Grid, at: AtPoints, placed: Placed) -> Cause
 
 
 def swapped(right: Grid) -> Iterator[tuple[Slip, Grid]]:
-    """Two numbers of a list in each other's place."""
+    """Two numbers of a list, or two coordinates of a vector in every column, in each other's place."""
     rows, width = right.shape
-    for i, j in combinations(range(rows), 2) if width == 1 else ():
+    for i, j in combinations(range(rows), 2):
         order = [j if k == i else i if k == j else k for k in range(rows)]
-        words = f"numbers {i + 1} and {j + 1} have changed places"
-        slip = Slip(f"numbers-swapped {i + 1} and {j + 1}", words, "in which order are they asked for?", Rank.SYMPTOM)
+        both = f"{i + 1} and {j + 1}"
+        if width == 1:
+            name, words, hint = f"numbers-swapped {both}", f"numbers {both}", "in which order are they asked for?"
+        elif i // 3 == j // 3:  # of v, or of ω
+            name, words, hint = f"rows-swapped {both}", f"rows {both}", "which row belongs to which coordinate?"
+        else:
+            continue
+        slip = Slip(name, f"{words} have changed places", hint, Rank.SYMPTOM)
         yield slip, replace(right, rows=tuple(right.rows[k] for k in order))
 
 

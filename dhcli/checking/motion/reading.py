@@ -69,7 +69,8 @@ def read_cells(
             expr = parse(body.strip(), exercise.scope, place)
             cells: tuple[tuple[Cell, ...], ...] = ((Cell(expr, body.strip(), 0, expr),),)
         else:
-            cells = parse_matrix(_bracketed(body, shape, exercise.scope), exercise.scope, place)
+            body = _bracketed(body, shape, exercise.scope)
+            cells = parse_matrix(body, exercise.scope, place)
     except NotationError as error:
         remarks = (*(str(problem) for problem in error.problems), comma_remark(text))
         raise UnreadableError(*filter(None, remarks)) from None

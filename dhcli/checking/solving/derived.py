@@ -12,7 +12,6 @@ from dhcli.checking.exercise import Case
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.returned import Shown
 from dhcli.checking.solving.goal import Target, of_robot
-from dhcli.checking.solving.typed import put_for
 from dhcli.checking.units import ONE as METRE
 from dhcli.checking.units import in_unit
 from dhcli.errors import RobotError
@@ -29,7 +28,7 @@ from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ONE, ZERO, Call, Expr, Product, Sum, Symbol, add, multiply, negate, power
-from dhcli.notation.walk import substitute, symbols, walk
+from dhcli.notation.walk import put_for, substitute, symbols, walk
 from dhcli.notation.writer import write
 
 
@@ -151,12 +150,12 @@ def _in_arctangent(step: Step, name: str, call: Call) -> Iterator[tuple[Slip, St
         words = f"atan stands for {shown}: it loses the quadrants where its second argument is negative"
         yield (
             Slip(f"atan-for-atan2 {name}", words, "which quadrants does atan know?"),
-            replace(_with(step, call, one), two=step.two if step.two != "opposite" else ""),
+            replace(with_other(step, call, one), two=step.two if step.two != "opposite" else ""),
         )
     words = f"the arguments of {shown} have changed places: the sine comes first"
     yield (
         Slip(f"atan2-swapped {name}", words, "which argument of atan2 belongs to the sine?"),
-        _with(step, call, Call("atan2", (x, y))),
+        with_other(step, call, Call("atan2", (x, y))),
     )
 
 
@@ -181,12 +180,12 @@ def _calls(step: Step, function: str) -> list[Call]:
     return list(dict.fromkeys(found))
 
 
-def _with(step: Step, old: Expr, new: Expr) -> Step:
+def with_other(step: Step, old: Expr, new: Expr) -> Step:
     """A step with one expression in the place of another."""
-    return _changed(step, lambda expr: put_for(expr, {old: new}))
+    return changed_step(step, lambda expr: put_for(expr, {old: new}))
 
 
-def _changed(step: Step, change: Callable[[Expr], Expr]) -> Step:
+def changed_step(step: Step, change: Callable[[Expr], Expr]) -> Step:
     """A step with its formula changed, on both sides of its sign."""
     return replace(step, value=change(step.value), spread=None if step.spread is None else change(step.spread))
 
@@ -210,7 +209,7 @@ def _left_out(derivation: Derivation, robot: Robot) -> Iterator[Slipped]:
             slip = Slip(f"left-out {length}", f"{length} is left out", "follow the links from the base to the end")
         try:
             left = partial(substitute, lengths={length: ZERO}, angles={})
-            steps = tuple(_changed(step, left) for step in derivation.steps)
+            steps = tuple(changed_step(step, left) for step in derivation.steps)
         except (ZeroDivisionError, ArithmeticError):
             continue
         yield Slipped(slip, replace(derivation, steps=steps))
@@ -226,7 +225,7 @@ def _moved_wrong(derivation: Derivation, length: str) -> Iterator[Slipped]:
                 f"moved-along-{axis} {length}", f"the wrist centre is moved back by {length} along {axis}", question
             )
             yield Slipped(slip, replace(derivation, steps=steps))
-    steps = tuple(_with(step, Symbol(length), negate(Symbol(length))) for step in derivation.steps)
+    steps = tuple(with_other(step, Symbol(length), negate(Symbol(length))) for step in derivation.steps)
     slip = Slip(f"moved-on {length}", f"the wrist centre is moved on by {length}, not back", "which way does z point?")
     yield Slipped(slip, replace(derivation, steps=steps))
 
@@ -239,7 +238,7 @@ def _along(step: Step, length: str, column: str) -> Step:
         for row in "123":
             old = Symbol(f"r{row}3")
             if Symbol(length) in factors and old in factors:
-                step = _with(step, node, put_for(node, {old: Symbol(f"r{row}{column}")}))
+                step = with_other(step, node, put_for(node, {old: Symbol(f"r{row}{column}")}))
     return step
 
 
@@ -255,7 +254,7 @@ def _wrist_from_whole(derivation: Derivation) -> Iterator[Slipped]:
         entries = {name for name in symbols(step.value) if name.startswith("r")}
         if own & arm or not entries or not symbols(step.value) & arm:
             return step
-        return _changed(step, partial(substitute, lengths={}, angles=standing))
+        return changed_step(step, partial(substitute, lengths={}, angles=standing))
 
     try:
         steps = tuple(map(changed, derivation.steps))

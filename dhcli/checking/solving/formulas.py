@@ -10,7 +10,6 @@ from itertools import chain, product
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.solving.typed import put_for
 from dhcli.checking.units import ONE as METRE
 from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen
@@ -21,7 +20,7 @@ from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Call, Expr, Number, Product, Sum, Symbol, Trig, Unit, add, multiply, number
-from dhcli.notation.walk import rebuild, symbols_in, walk
+from dhcli.notation.walk import put_for, rebuild, symbols_in, walk
 from dhcli.regex import regex
 
 MOST_SIGNS = 4

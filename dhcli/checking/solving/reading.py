@@ -21,12 +21,13 @@ from dhcli.notation.commas import comma_remark, with_points
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_plain_length
-from dhcli.notation.tree import Expr
+from dhcli.notation.tree import Expr, Symbol
 from dhcli.notation.walk import symbols
 from dhcli.regex import regex
 
 _LABEL = regex(r"(?P<name>[^\W\d]\w*)\s*=(?!=)")
-_TEXT = regex(r"\A\s*(?P<name>[^\W\d]\w*)\s*=\s*(?=\[)")
+_TEXT = regex(r"\A\s*(?P<name>[^\W\d]\w*)\s*=\s*(?=\[|\([^()]*[,;|])")
+_NUMBERED = regex(r"(?m)^[ \t]*1?\d\.[ \t]+(?=[(\[+−-]?[\w.])")  # noqa: RUF001
 _ABOUT = regex(r"(?<=\w)[ \t]*≈")
 _COLON = regex(r"(?<=\d)[ \t]*:(?=[ \t]*[(\d.+−-])")  # noqa: RUF001
 _ROW_LABEL = regex(
@@ -81,6 +82,7 @@ def read_vectors(
     pieces = [with_points(piece, (1, len(joints))) for piece in pieces]
     body = "; ".join(piece.replace(";", ",") if groups else piece for piece in pieces)
     rows = [[cell.expr for cell in row] for row in parse_matrix(_bracketed(body), exercise.scope, place)]
+    rows = _without_heads(rows, joints)
     if all(len(row) == 1 for row in rows) and len(rows) == len(joints):
         rows = [[row[0] for row in rows]]  # a column
     for row in rows:
@@ -91,8 +93,18 @@ def read_vectors(
     return [_vector(exercise, robot, joints, row) for row in rows]
 
 
+def _without_heads(rows: list[list[Expr]], joints: Sequence[str]) -> list[list[Expr]]:
+    """Rows without one above them that holds the names of the joints, in the order of these."""
+    heads = [expr.name for expr in rows[0] if isinstance(expr, Symbol)]
+    if len(rows) == 1 or sorted(heads) != sorted(joints) or any(len(row) != len(joints) for row in rows):
+        return rows
+    return [[row[heads.index(name)] for name in joints] for row in rows[1:]]
+
+
 def _tidied(text: str, joints: Sequence[str], *, several: bool) -> str:
     """Without what people write around vectors: numbers and names of rows, `or` between them, a unit behind each."""
+    if len(_NUMBERED.findall(text)) == sum(bool(line.strip()) for line in text.splitlines()) > 1:
+        text = _NUMBERED.sub("", text)
     text = _COLON.sub("=", _ABOUT.sub("=", _ROW_LABEL.sub(r"\1", text.strip().rstrip(".")))).replace("≈", "")
     between = _BETWEEN_NAMED if _LABEL.search(text) else _BETWEEN
     text = between.sub("; " if several else ", ", text).strip()
@@ -114,7 +126,7 @@ def _lines(text: str, count: int) -> list[str]:
 
 def _groups(text: str) -> list[str]:
     """The insides of round brackets side by side, `(30, 45), (60, -45)`; none where something else stands there."""
-    inside = text.removeprefix("[").removesuffix("]") if text.startswith("[") else text
+    inside = text[1:-1] if text[:1] in ("[", "{") and text[-1:] in ("]", "}") else text
     inside = inside[1:-1] if inside.startswith("((") and inside.endswith("))") else inside
     found, start, depth = list[str](), 0, 0
     for i, letter in enumerate(inside):
@@ -123,7 +135,7 @@ def _groups(text: str) -> list[str]:
         elif letter == ")":
             depth -= 1
             if not depth:
-                found.append(inside[start:i])
+                found.append(inside[start:i].replace("|", ","))
         elif not depth and letter not in " ,;\t":
             return []
     return found if all("," in group or ";" in group for group in found) else []

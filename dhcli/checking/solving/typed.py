@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 
@@ -10,8 +9,8 @@ from dhcli.errors import RobotError
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import name_of
-from dhcli.notation.tree import PI, ZERO, Call, Expr, Power, Product, Sum, Symbol, add, multiply, negate, power
-from dhcli.notation.walk import children
+from dhcli.notation.tree import PI, ZERO, Call, Expr, Power, Product, Sum, Symbol, add, negate
+from dhcli.notation.walk import children, put_for
 from dhcli.notation.writer import write
 
 
@@ -62,22 +61,6 @@ def exprs_of(derivation: Derivation, joints: tuple[str, ...]) -> tuple[Expr, ...
     """The expressions in the formula for a joint."""
     step = formula_of(derivation, joints)
     return (step.value,) if step.spread is None else (step.value, step.spread)
-
-
-def put_for(expr: Expr, instead: Mapping[Expr, Expr]) -> Expr:
-    """An expression with others in the place of some that stand in it."""
-    if expr in instead:
-        return instead[expr]
-    if not children(expr):
-        return expr
-    if isinstance(expr, Call):
-        return Call(expr.function, tuple(put_for(one, instead) for one in expr.arguments))
-    parts = [put_for(one, instead) for one in children(expr)]
-    if all(new is old for new, old in zip(parts, children(expr), strict=True)):
-        return expr  # as it is written
-    if isinstance(expr, Power):
-        return power(parts[0], expr.exponent)
-    return add(*parts) if isinstance(expr, Sum) else multiply(*parts)
 
 
 def with_roots(expr: Expr) -> Expr:

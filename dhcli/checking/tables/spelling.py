@@ -26,6 +26,12 @@ _OPENING, _CLOSING = frozenset("[({"), frozenset("])}")
 _BREAKS = frozenset(",&|;]}(")
 _NUMBER_SIGN = regex(r"^([^\S\n]{0,40}\|?[^\S\n]{0,40})#(?=[^\S\n]{0,40}[|,&\s])")
 _BULLET = regex(r"^([^\S\n]{0,40})-(?=[^\S\n]{1,40}[\[{])", re.MULTILINE)
+_ROW_NAME = regex(r"^\s{0,40}(?:(?:link|joint|row)\s{0,9})?(?:\d{1,2}\s{0,9}[:.)])?\s{0,9}(?=\S)", re.IGNORECASE)
+_NUMBERED = regex(
+    r"^[^\S\n]{0,40}(?:(?:link|joint|row)[^\S\n]{0,9})?\d{1,2}[^\S\n]{0,9}(?:[:)]|\.(?=(?:[^,\n]{0,99},){3}))(?=[^\S\n]|[^\W\d])",
+    re.IGNORECASE | re.MULTILINE,
+)
+"""The number of a row before cells that commas separate, which would be a factor of the first."""
 LONGEST_ROW = 400
 """Tokens looked ahead for a closing bracket, so that hostile text costs no more than its length."""
 
@@ -49,8 +55,23 @@ class Heads:
     says_unit: bool = False
 
 
+def keyed_rows(text: str) -> str:
+    """Rows whose cells have names, `Joint 1: θ = θ1, d = 0, a = a1, α = 0`, as those in braces; all, or none."""
+    rows = []
+    for line in text.splitlines():
+        cells = [cell.partition("=") for cell in re.split(r"[,;]", _ROW_NAME.sub("", line)) if cell.strip()]
+        names = [column_of(name.strip())[0] for name, _, _ in cells]
+        if cells and (sorted(names) != sorted(COLUMNS) or not all(value.strip() for _, _, value in cells)):
+            return text
+        named = (f"{name}: {value}" for name, (_, _, value) in zip(names, cells, strict=True))
+        rows += [f"{{{', '.join(named)}}}"] if cells else []
+    return "\n".join(rows)
+
+
 def plain_text(text: str) -> str:
-    """The text with the bullets of a list and the line of the order of operations blanked out; columns stay."""
+    """The text with bullets, numbers of rows and the line of the order of operations blanked out; columns stay."""
+    if len(_NUMBERED.findall(text)) > 1:
+        text = _NUMBERED.sub(lambda number: " " * len(number[0]), text)
     text = _BULLET.sub(r"\1 ", _NUMBER_SIGN.sub(r"\1i", text))
     return _ORDER.sub(lambda line: " " * len(line[0]), text)
 

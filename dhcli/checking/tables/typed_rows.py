@@ -11,7 +11,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import general
 from dhcli.checking.entries import LARGEST
 from dhcli.checking.pasted import UnreadableError, without_label
-from dhcli.checking.tables.spelling import ANGLES, Heads, in_order, plain_text, without_heads, without_stars
+from dhcli.checking.tables.spelling import ANGLES, Heads, in_order, keyed_rows, plain_text, without_heads, without_stars
 from dhcli.errors import NotationError, Place, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Row
@@ -84,7 +84,7 @@ def read_table(
         raise UnreadableError(f"the answer has {len(text)} characters, more than the {LARGEST} that are read")
     scope = scope or robot.scope
     columns = tuple(columns or robot.columns)
-    source = Source(plain_text(without_label(text)), place or Place("answer"))
+    source = Source(plain_text(without_label(keyed_rows(text))), place or Place("answer"))
     try:
         tokens = without_stars(tokenize(source, most=LARGEST), scope, robot.variables)
         tokens, heads = without_heads(in_order(tokens, columns), Heads(columns, unit=unit))

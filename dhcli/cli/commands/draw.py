@@ -216,8 +216,11 @@ def _check(picture: Picture, name: str | None, motion: Motion, looks: Looks) -> 
     """
     from dhcli.cli.shell.drawn import refuse_table
 
-    if motion.animate and (name != "svg" or not picture.moves):
-        raise DhcliError("--animate is for an .svg of a motion", "--to or --in says where to; a page plays it anyway")
+    if motion.animate and not picture.moves:
+        raise DhcliError("--animate is for a motion, and nothing moves", "--to or --in says where to")
+    if motion.animate and name != "svg":
+        hint = "a page plays a motion by itself: leave --animate out" if name in ("page", None) else "write -o move.svg"
+        raise DhcliError("only an .svg is animated", hint)
     if looks.table and (name in ("page", "terminal") or name is None):
         refuse_table(picture.what, name)
 

@@ -12,12 +12,14 @@ import typer
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.options import EndPoint, Jobs, complete_joint, workers
 from dhcli.cli.shell.written import Digits, Overwrite, file_to_write
+from dhcli.frozen import frozen
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
     from dhcli.cli.shell.rows import RowDelivery, RowSink
+    from dhcli.kinematics.robot import Robot
     from dhcli.kinematics.sweep.density import Density
     from dhcli.kinematics.sweep.grid import Grid
     from dhcli.kinematics.sweep.target import Target
@@ -40,8 +42,10 @@ _POSES = 4_000_000
 """Poses that take several times as long as the start of a thread."""
 
 
-def sweep(
-    chosen: Chosen,
+@frozen
+class Asked:
+    """What is swept, and where it goes, as it was typed."""
+
     over: Annotated[
         list[str] | None,
         typer.Option(
@@ -50,14 +54,14 @@ def sweep(
             "limits allow; repeatable. Without it all joints are swept.",
             autocompletion=complete_joint,
         ),
-    ] = None,
-    point: EndPoint = None,
+    ] = None
+    point: EndPoint = None
     format_: Annotated[
         str | None,
         typer.Option("--format", metavar="NAME", help="Of the summary: table, json or csv.", rich_help_panel="Output"),
-    ] = None,
-    digits: Digits = None,
-    jobs: Jobs = None,
+    ] = None
+    digits: Digits = None
+    jobs: Jobs = None
     output: Annotated[
         str | None,
         typer.Option(
@@ -68,7 +72,7 @@ def sweep(
             help="Write all points to a file, joint values and position a row: .csv, .jsonl or .npy.",
             rich_help_panel="Output",
         ),
-    ] = None,
+    ] = None
     draw: Annotated[
         str | None,
         typer.Option(
@@ -76,45 +80,57 @@ def sweep(
             help="Draw the points from the side and from above, a plane once, .svg .pdf .png .tex, or in space, .html.",
             rich_help_panel="Output",
         ),
-    ] = None,
-    overwrite: Overwrite = False,
-) -> None:
+    ] = None
+    overwrite: Overwrite = False
+
+
+def sweep(chosen: Chosen, asked: Asked) -> None:
     """Sweep joints over a grid: how far a robot reaches, the box it stays in, and the poses at its sides.
 
     --q and --pose say where the joints stand that are not swept, at 0 by default.
     """
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.given import open_scope, point_of, robot_of, values_of
+    from dhcli.cli.shell.given import robot_of
+
+    delivery = Delivery("sweep", asked.format_, asked.digits)
+    delivery.chosen("sweep")
+    points = _points(asked)
+    if asked.draw is not None:
+        from dhcli.cli.shell.pictures import check_picture, write_picture
+
+        check_picture(asked.draw, overwrite=asked.overwrite)
+    target, grid = _grid(robot_of(chosen), chosen, asked)
+
+    from dhcli.kinematics.sweep.density import Density  # numpy: not for what is refused before it starts
+    from dhcli.kinematics.sweep.run import sweep as go_through
+
+    density = None if asked.draw is None else Density()
+    threads = workers(asked.jobs, 1 + grid.count // _POSES)
+    with _taking(points, grid, density) as (take, tell):
+        result = go_through(target, grid, take, threads=threads, tell=tell)
+    delivery.hand_over("sweep", result, result.warnings)
+    if asked.draw is not None and density is not None:
+        write_picture(_picture(target, grid, density.workspace(target)), asked.draw, overwrite=asked.overwrite)
+
+
+def _grid(arm: Robot, chosen: Chosen, asked: Asked) -> tuple[Target, Grid]:
+    """What is swept, and the grid that it is swept over.
+
+    Raises:
+        DhcliError: The point, a range or a value cannot be read, or there are too many poses.
+    """
+    from dhcli.cli.shell.given import open_scope, point_of, values_of
     from dhcli.errors import Place
     from dhcli.kinematics.frames import View
     from dhcli.kinematics.sweep.plan import plan
     from dhcli.kinematics.sweep.ranges import read_over
     from dhcli.kinematics.sweep.target import target_of
 
-    delivery = Delivery("sweep", format_, digits)
-    delivery.chosen("sweep")
-    points = _points(output, overwrite=overwrite and not (draw and output is None))
-    if draw is not None:
-        from dhcli.cli.shell.pictures import check_picture, write_picture
-
-        check_picture(draw, overwrite=overwrite)
-    arm = robot_of(chosen)
     values = values_of(arm, chosen)
-    seen = None if point is None else point_of(point, "--point", open_scope(arm))
+    seen = None if asked.point is None else point_of(asked.point, "--point", open_scope(arm))
     target = target_of(arm, View.of(arm, chosen.from_, chosen.end, point=seen), values)
-    overs = [read_over(arm, text, bare=chosen.bare, place=Place("--over")) for text in over or []]
-    grid = plan(target, overs, values, Place("--over") if overs else None)
-
-    from dhcli.kinematics.sweep.density import Density  # numpy: not for what is refused before it starts
-    from dhcli.kinematics.sweep.run import sweep as go_through
-
-    density = None if draw is None else Density()
-    threads = workers(jobs, 1 + grid.count // _POSES)
-    with _taking(points, grid, density) as (take, tell):
-        result = go_through(target, grid, take, threads=threads, tell=tell)
-    delivery.hand_over("sweep", result, result.warnings)
-    if draw is not None and density is not None:
-        write_picture(_picture(target, grid, density.workspace(target)), draw, overwrite=overwrite)
+    overs = [read_over(arm, text, bare=chosen.bare, place=Place("--over")) for text in asked.over or []]
+    return target, plan(target, overs, values, Place("--over") if overs else None)
 
 
 def _picture(target: Target, grid: Grid, workspace: Workspace) -> Picture:
@@ -130,9 +146,10 @@ def _picture(target: Target, grid: Grid, workspace: Workspace) -> Picture:
     return Picture(target.robot, q, parameters=target.lengths, workspace=workspace)
 
 
-def _points(output: str | None, *, overwrite: bool) -> RowDelivery | None:
+def _points(asked: Asked) -> RowDelivery | None:
     """Where the points go, once it is known that they can; None if nobody wants them."""
-    if output is None and not overwrite:
+    output = asked.output
+    if output is None and (asked.draw is not None or not asked.overwrite):
         return None
     from dhcli.cli.shell.rows import RowDelivery
     from dhcli.render.code.rows import FORMATS
@@ -141,7 +158,7 @@ def _points(output: str | None, *, overwrite: bool) -> RowDelivery | None:
     if output is not None:
         summary = "the summary is on standard output, see --format"
         format_by_ending(output, FORMATS, of=" of points", more=summary)
-    delivery = RowDelivery(None, output, overwrite)
+    delivery = RowDelivery(None, output, asked.overwrite)
     delivery.chosen()
     return delivery
 

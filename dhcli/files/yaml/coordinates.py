@@ -108,7 +108,9 @@ class Coordinates:
         return _AXES["z"]
 
     def _coordinates(self, node: PlacedNode, key: str) -> Vector:
-        items = self.problems.sequence(node, key, "[x, y]" if self.dimensions < len(_AXES) else "[x, y, z]")
+        example = "[x, y]" if self.dimensions < len(_AXES) else "[x, y, z]"
+        is_round = isinstance(node, PlacedScalar) and node.text.startswith("(")
+        items = self.problems.sequence(node, key, "" if is_round else example)
         if items and not self.dimensions <= len(items) <= len(_AXES):
             wanted = "two coordinates" if self.dimensions < len(_AXES) else "three coordinates"
             hint = "write [x, y]" if self.dimensions < len(_AXES) else "write [x, y, z]"

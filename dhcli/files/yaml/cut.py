@@ -72,4 +72,7 @@ def with_decimal_comma(text: str, place: Place) -> str:
 
 def _told(text: str, place: Place, key: str) -> Problem:
     name = f"{key}: " if key else ""
-    return Problem(f"{name}a comma ends a text without quotes here", place, f"write {name}{yaml_scalar(text)}")
+    is_list = text.startswith("(") and text.endswith(")") and not is_open(text[1:-1])
+    listed = f"[{text[1:-1]}], or as a text " if is_list else ""
+    message = f"{name}a comma ends a text without quotes here"
+    return Problem(message, place, f"write {name}{listed}{yaml_scalar(text)}")

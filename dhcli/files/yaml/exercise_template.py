@@ -40,7 +40,7 @@ def exercise_template(name: str, robot: Robot, called: str = "") -> str:
     if not slash:
         raise DhcliError(f"the exercise {name} has no course", f"write dhcli new exercise my-course/{name}")
     for one in (folder, short):
-        check_name(one)
+        check_name(one, "an exercise")
     if len(robot.frames) < FEWEST_FRAMES or not robot.variables:
         raise DhcliError(f"{robot.name} has no joint to ask about", "dhcli list robots shows others")
     start, first, end = robot.frames[1], robot.frames[2], robot.frames[-2]

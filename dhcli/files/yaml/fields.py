@@ -161,8 +161,9 @@ class Problems:
         if isinstance(node, PlacedSequence):
             return node.items
         items, shown = items_of(node)
-        hint = f"write {example or shown or LISTED}"
-        self.add(node.place, f"{what}: should be a list, is {node_kind(node)}", hint)
+        if not any(problem.place == node.place for problem in self.found):  # such as the comma that has cut it
+            hint = f"write {example or shown or LISTED}"
+            self.add(node.place, f"{what}: should be a list, is {node_kind(node)}", hint)
         return () if example else items
 
     def scalar(self, node: PlacedNode, what: str) -> PlacedScalar | None:

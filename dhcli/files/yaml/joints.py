@@ -150,7 +150,7 @@ class JointReader:
         found: list[Joint] = []
         self.loose = {pin: held[0] for pin, held in pins.items() if len(held) == 1}
         for pin, held in pins.items():
-            if "points" in self.fields and len(held) > 1:
+            if "points" in self.fields:
                 self.numbers.point(PlacedScalar(pin, places[pin]), "bars")
             for k, other in enumerate(held[1:], 1):
                 name = pin if len(held) == 2 else f"{pin}.{k}"  # noqa: PLR2004  two bars

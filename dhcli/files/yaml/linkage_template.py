@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dhcli.errors import DhcliError, did_you_mean
-from dhcli.files.yaml.templates import NAME
+from dhcli.files.yaml.templates import check_name
 
 
 def linkage_template(name: str, form: str) -> str:
@@ -16,10 +16,7 @@ def linkage_template(name: str, form: str) -> str:
     Raises:
         DhcliError: The name or the form cannot be.
     """
-    if not NAME.fullmatch(name):
-        raise DhcliError(
-            f"{name!r} cannot be the name of a linkage", "write letters, digits, - and _, such as my-press"
-        )
+    check_name(name, "a linkage")
     if form not in _FORMS:
         raise DhcliError(f"there is no form {form}", did_you_mean(form, _FORMS) or f"known: {', '.join(_FORMS)}")
     return _HEAD.format(name=name, other=", ".join(other for other in _FORMS if other != form)) + _FORMS[form]

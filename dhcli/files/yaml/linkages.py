@@ -16,7 +16,7 @@ from dhcli.files.yaml.joints import JointReader
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, read_yaml
 from dhcli.mobility.counting import Counts, counts
 from dhcli.mobility.linkage import InvalidLinkageError, Linkage, NamedPoint, serial
-from dhcli.mobility.pairs import LETTERS, SPATIAL, LinkageError, Space, space_of
+from dhcli.mobility.pairs import LETTERS, PLANAR, SPATIAL, LinkageError, Space, space_of
 from dhcli.mobility.patterns import EXAMPLES, count_of, joint_counts, looks_like_pattern, read_pattern
 
 if TYPE_CHECKING:
@@ -160,13 +160,13 @@ class _Loader:
             self.problems.add(
                 self.fields.place, message, "write space: planar, spherical or spatial, or lambda: 1 to 6"
             )
-            return SPATIAL
+            return PLANAR  # where two coordinates do, and three are no slip
         scalar = self.fields.scalar(keys[0])
         try:
-            return space_of(scalar.text) if scalar else SPATIAL
+            return space_of(scalar.text) if scalar else PLANAR
         except LinkageError as error:
             self.add_at(scalar.place if scalar else self.fields.place, error, keys[0])
-            return SPATIAL
+            return PLANAR
 
     def counts(self) -> Counts:
         """`links: 4` and `joints: 4R`; both may hold names."""

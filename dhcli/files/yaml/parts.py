@@ -166,10 +166,6 @@ class _Besides:
     fields: Fields
     ask: Place
 
-    def has(self, key: str) -> bool:
-        """Whether a key stands there."""
-        return key in self.fields
-
     def texts(self, key: str) -> tuple[str, ...]:
         """A list of texts."""
         return read_texts(self.fields, key)

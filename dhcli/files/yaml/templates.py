@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from unicodedata import combining, normalize
 
 from dhcli.errors import DhcliError
 from dhcli.kinematics.conventions import ORDER, Convention, convention_hint
@@ -11,6 +12,9 @@ from dhcli.regex import regex
 MOST_JOINTS = 20
 NAME = regex(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 """What can be typed in a command and be the name of a file."""
+_NO_NAME = regex(r"[^A-Za-z0-9_-]+")
+_COUNTED = regex(r"([0-9]{0,2})([RP])")
+"""`3R`, which is `RRR`."""
 
 
 def robot_template(name: str, convention: str, joints: str) -> str:
@@ -67,14 +71,23 @@ poses:
 """
 
 
-def check_name(name: str) -> None:
+def check_name(name: str, what: str = "a robot") -> None:
     """Make sure that a name can be typed in a command and be the name of a file.
+
+    Args:
+        name: The name.
+        what: What has it.
 
     Raises:
         DhcliError: It cannot.
     """
     if not NAME.fullmatch(name):
-        raise DhcliError(f"{name!r} cannot be the name of a robot", "write letters, digits, - and _, such as my-arm")
+        plain = "".join(letter for letter in normalize("NFKD", name) if not combining(letter))
+        meant = "-".join(part for part in _NO_NAME.split(plain.removesuffix(".yaml")) if part)
+        such = f"such as {meant}" if NAME.fullmatch(meant) else "such as my-own"
+        raise DhcliError(
+            f"{name!r} cannot be the name of {what}", f"write letters from a to z, digits, - and _, {such}"
+        )
 
 
 _ABOUT = {
@@ -87,7 +100,9 @@ _ABOUT = {
 def _letters(joints: str) -> str:
     letters = joints.strip().upper()
     if not letters or set(letters) - {"R", "P"}:
-        raise DhcliError(f"{joints!r} is not a row of joints", "R is revolute, P is prismatic: --joints RRP")
+        meant = "".join(letter * min(int(count or 1), MOST_JOINTS) for count, letter in _COUNTED.findall(letters))
+        hint = f"R is revolute, P is prismatic: --joints {meant or 'RRP'}"
+        raise DhcliError(f"{joints!r} is not a row of joints", hint)
     if len(letters) > MOST_JOINTS:
         raise DhcliError(
             f"{len(letters)} joints are more than {MOST_JOINTS}", "write a shorter row and add links by hand"

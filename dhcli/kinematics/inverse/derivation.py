@@ -24,6 +24,7 @@ class Derivation:
         proved: At how many random poses, with random lengths, the formulas were found to be right: every combination of
             signs that is real reaches the pose, and one of them is where it came from.
         left: Entries of the pose that are to be checked besides, where the joints are too few to reach every pose.
+        strangers: Whether some combinations of signs are told from solutions by those entries alone.
     """
 
     robot: Robot
@@ -33,6 +34,7 @@ class Derivation:
     steps: tuple[Step, ...]
     proved: int = 0
     left: tuple[Equation, ...] = ()
+    strangers: bool = False
 
     @property
     def joints(self) -> tuple[str, ...]:

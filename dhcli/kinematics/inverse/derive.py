@@ -28,7 +28,7 @@ from dhcli.kinematics.inverse.derive_rules import (
 from dhcli.kinematics.inverse.derive_terms import Atom, Coefficients, Knowledge, length, name_of
 from dhcli.kinematics.inverse.derive_values import poses_proved
 from dhcli.kinematics.robot import Robot, check_robot
-from dhcli.notation.tree import Expr, Number, Symbol, add, multiply, negate, number
+from dhcli.notation.tree import Expr, Number, Sum, Symbol, add, multiply, negate, number
 
 _MOST = 16
 """Equations in one unknown that are tried with each other."""
@@ -59,8 +59,10 @@ def derive(robot: Robot, *, start: str | int | None = None, end: str | int | Non
         steps = _steps(robot, low, high, place_only=place_only)
         if steps is not None:
             found = Derivation(robot, low, high, place_only, steps)
-            if proved := poses_proved(found):
-                return replace(found, proved=proved, left=left_to_check(found))
+            found = replace(found, left=left_to_check(found))
+            for strangers in (False, True) if found.left else (False,):
+                if proved := poses_proved(found, strangers=strangers):
+                    return replace(found, proved=proved, strangers=strangers)
     raise NoFormError(f"{robot.name} has no textbook form by these rules", "ik with a pose gives numbers")
 
 
@@ -180,11 +182,10 @@ def _sign(det: Expr, points: Points) -> int:
 
 def _ratio(known: Knowledge, found: Sequence[Equation], points: Points) -> Step | None:
     singles = [(one, parts) for one in found if (parts := single(one, known))]
-    for first, second in permutations(singles, 2):
-        step = ratio(first, second)
-        if step is not None and points.lives(step):
-            return step
-    return None
+    made = [step for first, second in permutations(singles, 2) if (step := ratio(first, second))]
+    # a sine is 0 in ordinary poses, such as those of a hand that hangs down; a sum of lengths is not
+    made.sort(key=lambda step: type(step.condition) is not Sum)
+    return next((step for step in made if points.lives(step)), None)
 
 
 def _one(by_atom: Mapping[Atom, list[Found]], points: Points) -> Step | None:

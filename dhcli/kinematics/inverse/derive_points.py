@@ -45,10 +45,12 @@ class Points:
 
     def lives(self, step: Step) -> bool:
         """Whether a step gives a number at most of them, and not because everything in it is 0."""
-        if step.two == "opposite" and isinstance(step.value, Call):
-            sizes = [math.hypot(*pair) for pair in zip(*map(self.values, step.value.arguments), strict=False)]
-            return len(sizes) > SAMPLES // 2 and sorted(sizes)[SAMPLES // 4] > VANISHES
-        return len(self.values(step.spread or step.value)) > SAMPLES // 2
+        value = step.value
+        if step.two and isinstance(value, Call) and len(value.arguments) == 2:  # noqa: PLR2004  an atan2
+            sizes = [math.hypot(*pair) for pair in zip(*map(self.values, value.arguments), strict=False)]
+            if len(sizes) <= SAMPLES // 2 or sorted(sizes)[SAMPLES // 4] <= VANISHES:
+                return False
+        return len(self.values(step.spread or value)) > SAMPLES // 2
 
 
 def pose_values(chain: Chain, values: Mapping[str, Angle | float]) -> dict[str, float]:

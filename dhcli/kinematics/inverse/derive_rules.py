@@ -22,6 +22,7 @@ from dhcli.notation.tree import (
     Product,
     Trig,
     add,
+    decimal,
     is_negative,
     multiply,
     negate,
@@ -158,7 +159,7 @@ def of_coefficients(k: Coefficients, atom: Atom, equations: tuple[Equation, ...]
     a, b, e = divided(a, factor), divided(b, factor), divided(e, factor)
     size = _hypot(a, b)
     over = divided(e, size) if ZERO in {a, b} else over_root(e, size)
-    base = ZERO if b == ZERO else multiply(Number(HALF), PI) if a == ZERO else Call("atan2", (b, a))
+    base = ZERO if b == ZERO else multiply(Number(HALF), PI) if a == ZERO else _arc(b, a)
     return Step(rule, atom, equations, base, Call("acos", (over,)), "plus-minus", over)
 
 
@@ -227,5 +228,19 @@ def _hypot(a: Expr, b: Expr) -> Expr:
         return a
     if a == ZERO:
         return b
+    if _is_one_angle(a, b):
+        return ONE
     first, second = sorted((power(a, 2), power(b, 2)), key=str)
     return power(add(first, second), HALF)
+
+
+def _is_one_angle(a: Expr, b: Expr) -> bool:
+    """Whether two are the cosine and the sine of one angle, in either order."""
+    return type(a) is Trig and type(b) is Trig and a.angle == b.angle and a.function != b.function
+
+
+def _arc(s: Expr, c: Expr) -> Expr:
+    """The angle of a sine and a cosine; one in radians that was given is itself."""
+    if type(s) is Trig and s.function == "sin" and _is_one_angle(s, c) and not s.angle.terms and not s.angle.degrees:
+        return decimal(s.angle.radians)
+    return Call("atan2", (s, c))

@@ -33,8 +33,13 @@ def joint_values(derivation: Derivation, known: Mapping[str, Angle | float]) -> 
         yield {name: values[name] for step in derivation.steps for name in _joints(step)}
 
 
-def poses_proved(derivation: Derivation) -> int:
-    """At how many random poses the formulas are right; 0 where they are wrong at one."""
+def poses_proved(derivation: Derivation, *, strangers: bool = False) -> int:
+    """At how many random poses the formulas are right; 0 where they are wrong at one.
+
+    Args:
+        derivation: The derivation.
+        strangers: Whether combinations of signs may be there that lead to other poses.
+    """
     robot = derivation.robot
     chain = between(robot, derivation.start, derivation.end)
     points = Points(robot, derivation.start, derivation.end)
@@ -46,7 +51,9 @@ def poses_proved(derivation: Derivation) -> int:
             there = pose_values(chain, {**values, **found})
             wanted = POSITION if derivation.place_only else tuple(there)
             if any(_apart(there[name], values[name], turns=False) > _NEAR for name in wanted):
-                return 0
+                if not strangers:
+                    return 0
+                continue
             back = back or all(_apart(found[name], values[name], turns=name in robot.angles) < _NEAR for name in joints)
         if not back:
             return 0

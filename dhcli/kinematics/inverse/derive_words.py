@@ -25,15 +25,19 @@ SAID = {
 """What each rule uses."""
 
 
+_WHOLE = 12
+"""The entries of a pose."""
+
 _LONG = 48
 """A formula of more characters is not written twice."""
 
 
 def proof_text(result: Derivation) -> str:
-    """How many combinations of signs there are, and that each leads back to the pose."""
+    """How many combinations of signs there are, and which of them lead back to the pose."""
     signs = plural(result.branches, "combination")
     tried = f"tried at {result.proved} random poses and lengths"
-    return f"{signs} of signs, each a solution where all are real: {tried}"
+    which = "of which some lead back to the pose" if result.strangers else "each a solution where all are real"
+    return f"{signs} of signs, {which}: {tried}"
 
 
 def left_text(result: Derivation, style: str) -> str:
@@ -44,6 +48,8 @@ def left_text(result: Derivation, style: str) -> str:
     back = ", ".join(write(one.left, style) for one in result.left if one not in fixed)
     said = [f"with {plain}"] if plain else []
     said += [f"where the joint values lead back to {back}"] if back else []
+    if not fixed and len(result.left) == _WHOLE:
+        return "only for poses that the joint values lead back to"
     return f"only for poses {', and '.join(said)}" if said else ""
 
 

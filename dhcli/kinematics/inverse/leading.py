@@ -30,7 +30,7 @@ from dhcli.kinematics.inverse.solutions import (
 )
 from dhcli.kinematics.inverse.targets import EXACT, read_targets
 from dhcli.kinematics.inverse.tasks import for_task, task_called
-from dhcli.kinematics.inverse.turns import limits_of
+from dhcli.kinematics.inverse.turns import limits_of, outside
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.values import joint_values, numbers, parameter_values
 from dhcli.notation.angle import Angle
@@ -46,6 +46,9 @@ _RATIO = 12
 
 _NEARLY = 1e-2
 """A pose that is left by less [reaches, direction cosines] is nearly reached."""
+
+_SAME = 1e-3
+"""By what share of it more may be left where it is the same, of several ways to stand."""
 
 
 @frozen
@@ -161,12 +164,14 @@ class Leading:
         poses, _ = read_targets(T, driven.task)
         held = self._asked_to_hold(asked)
         x, left, _ = driven.led(driven.begun(held), driven.arm.goal(poses)[0], tuple(held), asked["tolerance"])
-        best = int(np.argmin(left))
-        if not left[best] < _NEARLY:
+        if not left.min() < _NEARLY:
             return None
-        q = self._best(asked["near"])
-        q[at] = driven.wrapped(x[best]) * self.units
-        return q
+        alike = np.flatnonzero(left <= left.min() * (1 + _SAME))
+        wish, limits = self._best(asked["near"]), limits_of(self.carried.robot)
+        rows = np.tile(wish, (len(alike), 1))
+        rows[:, at] = driven.wrapped(x[alike]) * self.units
+        beyond = [len(outside(self.carried.robot, q, limits)) for q in rows]
+        return np.asarray(rows[np.lexsort((np.linalg.norm(rows - wish, axis=1), beyond))[0]])
 
     def _asked_to_hold(self, asked: Mapping[str, Any]) -> dict[int, float]:
         """Values of the variables to be held, in their units, by their places among those that move the end."""

@@ -128,7 +128,7 @@ def test_numbers_show_no_terms() -> None:
 def test_each_mistake_changes_an_entry(name: str) -> None:
     """No two ways to make it are called the same and differ."""
     scope = load_robot("planar-2r").scope
-    expr = parse("a1*c1 + a2*c12*s1", scope)
+    expr = parse("a1*c1 + a2*c12*s1 + a1^2", scope)
     among = Among(("theta1", "theta2"), (Symbol("a1"), Symbol("a2")))
     made = list(TERM_MAKERS[name](expr, among))
     assert made

@@ -67,6 +67,64 @@ def test_every_form_of_a_right_formula_is_right(robot: str, ask: str, answer: st
     assert (mark.verdict, mark.earned) == (Verdict.RIGHT, 1), mark.remarks
 
 
+SHOULDER = "angle theta1 of position"
+ELBOW = "angle theta2 of position"
+
+
+@pytest.mark.parametrize(
+    ("ask", "answer", "words"),
+    [
+        (ELBOW, "±acos((px + py^2 - a1^2 - a2^2)/(2*a1*a2))", "the formula for theta2 has px for px^2"),
+        (ELBOW, "±acos((px^2 + py^2 - a1^2 - a2)/(2*a1*a2))", "the formula for theta2 has a2 for a2^2"),
+        (ELBOW, "±acos((px^2 + py^2 - a1^2 - a2^2)/(a1*a2))", "the factor 2 is missing in the formula for theta2"),
+        (ELBOW, "±acos((px^2 + py^2 - a1^2)/(2*a1*a2))", "the formula for theta2 lacks a2^2"),
+        (
+            ELBOW,
+            "±acos((px^2 + py^2 + a1^2 - a2^2)/(2*a1*a2))",
+            "the sign of a1^2 in the formula for theta2 is turned round",
+        ),
+        (ELBOW, f"±asin({COSINE})", "the formula for theta2 has asin for acos"),
+        (
+            ELBOW,
+            "D = (px^2 + py^2 - a1^2 + a2^2)/(2*a1*a2)\ntheta2 = atan2(±sqrt(1 - D^2), D)",
+            "the sign of a2^2 in the formula for theta2 is turned round",
+        ),
+        (SHOULDER, "atan2(py, px)", "the formula for theta1 lacks atan2(a2*s2, a1 + a2*c2)"),
+        (
+            SHOULDER,
+            "atan2(py, px) - atan2(a1*s2, a2 + a1*c2)",
+            "a1 and a2 have changed places in the formula for theta1",
+        ),
+        (
+            SHOULDER,
+            "atan2(py, px) - atan2(a2*c2, a1 + a2*s2)",
+            "sines and cosines have changed places in the formula for theta1",
+        ),
+    ],
+)
+def test_a_slip_in_the_terms_of_a_formula_has_a_name(ask: str, answer: str, words: str) -> None:
+    """Even where the formula has a value at no pose that the arm reaches; the hint says none of it."""
+    found = judged(answer, ask).diagnosis
+    assert found is not None
+    assert found.names == (words,)
+    assert not set(found.hints[0]) & set("^*/()")
+
+
+@pytest.mark.parametrize("answer", ["±acos(px/a1)", f"±acos(({COSINE})^3)", "±acos((px + py - a1 - a2)/(2*a1*a2))"])
+def test_a_formula_with_more_than_one_slip_has_no_name(answer: str) -> None:
+    """Nothing is called what it is not."""
+    assert judged(answer).diagnosis is None
+
+
+@pytest.mark.parametrize("unit", ["m", "mm"])
+def test_numbers_for_letters_do_not_hide_a_slip_in_a_formula(unit: str) -> None:
+    """The lengths that the task gives may stand for their letters."""
+    a1, a2 = ("0.3", "0.2") if unit == "m" else ("300", "200")
+    found = judged(f"±acos((px + py^2 - {a1}^2 - {a2}^2)/(2*{a1}*{a2}))", robot=IN_NUMBERS, unit=unit).diagnosis
+    assert found is not None
+    assert found.ids == ("square-missing theta2 px for px^2",)
+
+
 @pytest.mark.parametrize(
     ("robot", "ask", "answer", "earned", "said"),
     [

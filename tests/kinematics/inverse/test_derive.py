@@ -6,6 +6,7 @@ import random
 import sys
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,6 +21,8 @@ from dhcli.kinematics.values import numbers, parameter_values
 from dhcli.notation.tree import negate
 from dhcli.notation.writer import write
 from tests.nightly import cases_for_nights
+
+DATA = Path(__file__).parents[2] / "data"
 
 DERIVED = (
     *(
@@ -109,6 +112,40 @@ def test_formulas_give_the_solutions_that_the_engine_gives(name: str) -> None:
             reached = forward(robot, row).matrix - pose.matrix
             assert np.abs(reached[:3, 3] if derivation.place_only else reached).max() < 1e-9
             assert engine.distances(row).min() < 1e-6
+
+
+@pytest.mark.parametrize(("name", "turned"), [("five-axis", "theta1"), ("five-joints", "theta2+theta3")])
+def test_arms_of_five_joints_have_formulas(name: str, turned: str) -> None:
+    """No equation is used that says 0 = 0 in every pose of the arm; what signs lead elsewhere do so by far."""
+    robot = load_robot(str(DATA / f"{name}.yaml"))
+    derivation = derive(robot)
+    lengths, chain = numbers(parameter_values(robot, {})), between(robot, derivation.start, derivation.end)
+    assert shown(derivation)[turned].endswith("(+ 180°)")
+    assert derivation.strangers is (name == "five-joints")
+    for q in ([0.4, 0.7, 0.5, -0.6, 0.8], [-1.2, 1.1, -0.9, 0.3, 2.0]):
+        pose = forward(robot, q)
+        known = {**lengths, **pose_values(chain, {**lengths, **dict(zip(robot.variables, q, strict=True))})}
+        rows = [[values[joint] for joint in robot.variables] for values in joint_values(derivation, known)]
+        gaps = [np.abs(np.array(forward(robot, row).matrix) - pose.matrix).max() for row in rows]
+        solutions = [row for row, gap in zip(rows, gaps, strict=True) if gap < 1e-9]
+        engine = inverse(robot, pose)
+        assert len(solutions) == len(engine) == 2
+        assert (len(rows) > len(solutions)) is derivation.strangers
+        assert max(engine.distances(row).min() for row in solutions) < 1e-6
+        assert min([gap for gap in gaps if gap > 1e-9], default=1) > 1e-3
+
+
+def test_an_offset_in_radians_is_an_angle_and_no_arc_of_its_cosine() -> None:
+    """A joint of a URDF follows another with 0.25 rad added: no root of cos^2 + sin^2, and decimals for decimals."""
+    found = shown(derive(load_robot(str(DATA / "urdf" / "levelled.urdf"))))
+    assert found["theta2"].startswith("ONE: 0.25 ± acos(-5*(0.15 - sin(0.25)*(0.45 - pz) + ")
+    assert found["d3"].startswith("SLIDE: -(0.075 - 0.4*s(theta2-0.25) + ")
+
+
+def test_a_hand_that_hangs_down_leaves_the_first_joint_its_formula() -> None:
+    """theta1 of a five-axis arm comes from where the hand is, not from where it points."""
+    derivation = derive(load_robot(str(DATA / "five-axis.yaml")))
+    assert shown(derivation)["theta1"] == "RATIO: atan2(py, px) (+ 180°)"
 
 
 def test_a_wrong_formula_is_found_out() -> None:

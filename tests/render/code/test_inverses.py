@@ -28,7 +28,9 @@ from dhcli.render.code.stages import lengths_used, shared
 from dhcli.render.look import Look
 from tests.render.code.running import HERE, Call, results
 
-FEW = ("planar-2r", "scara-yim", "zhou-3r", "spherical-wrist", "palletizer")
+DATA = Path(__file__).parents[2] / "data"
+FIVE = (str(DATA / "five-axis.yaml"), str(DATA / "five-joints.yaml"))
+FEW = ("planar-2r", "scara-yim", "zhou-3r", "spherical-wrist", "palletizer", *FIVE)
 ROBOTS = (*FEW, "cylindrical", "stanford", "puma560", "ur5e")
 IN_NUMBERS = ("planar-2r", "stanford")
 Q = (0.4, 0.7, 0.5, -0.6, 0.8, 1.1)

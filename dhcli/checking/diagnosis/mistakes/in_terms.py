@@ -22,14 +22,15 @@ from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import natural_key
 from dhcli.notation.styles import THETAS, Joints
-from dhcli.notation.tree import ZERO, Expr, Sum, Symbol, Trig, add, multiply, negate, number
+from dhcli.notation.tree import MINUS_ONE, ZERO, Expr, Power, Sum, Symbol, Trig, add, multiply, negate, number
 from dhcli.notation.trig import cosine, sine, swapped
+from dhcli.notation.walk import put_for, walk
 from dhcli.notation.writer import write
 
 
 @frozen
 class Among:
-    """What stands in the other entries, and how it is written."""
+    """What may stand in an entry, and how it is written."""
 
     angles: tuple[str, ...] = ()
     lengths: tuple[Symbol, ...] = ()
@@ -198,15 +199,27 @@ def length_other(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
 def factor_missing(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     """c4*c6 for c4*c5*c6: a factor of a term is left out."""
     for product, k, changed in products(expr):
-        if isinstance(product.factors[k], (Trig, Symbol)):
+        factor = product.factors[k]
+        if not isinstance(factor, Sum) and factor != MINUS_ONE:
             left = multiply(*product.factors[:k], *product.factors[k + 1 :])
             yield _stands_for(left, product, among), changed
 
 
+@_mistake("square-missing", "entry ({entry}) has {term}", "look at the powers in row {row}")
+def square_missing(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
+    """L for l^2."""
+    for old in dict.fromkeys(node for node in walk(expr) if isinstance(node, Power) and node.exponent == 2):  # noqa: PLR2004
+        yield _stands_for(old.base, old, among), put_for(expr, {old: old.base})
+
+
 def among_of(rows: Matrix[Expr], setting: Setting) -> Among:
-    """What stands in the right entries."""
+    """What stands in the right entries, and what else of the robot may stand in wrong ones."""
     angles = {name for row in rows for entry in row for node in functions(entry) for name in node.angle.names}
     held = {symbol for row in rows for entry in row for symbol in lengths(entry)}
+    if setting.robot is not None:
+        turning = setting.robot.angles
+        angles |= turning.intersection(setting.robot.variables)
+        held |= {Symbol(name) for name in (*setting.robot.variables, *setting.robot.parameters) if name not in turning}
     ordered = sorted(held, key=lambda symbol: natural_key(symbol.name))
     return Among(tuple(sorted(angles, key=natural_key)), tuple(ordered), setting.writing)
 

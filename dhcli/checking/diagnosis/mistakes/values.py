@@ -6,13 +6,13 @@ from collections.abc import Callable, Iterator
 from typing import TypeAlias
 
 from dhcli.checking.diagnosis.mistakes.changes import OFFSETS, scale_of
-from dhcli.checking.diagnosis.terms import flipped, shown
+from dhcli.checking.diagnosis.terms import flipped, pieces, shown
 from dhcli.checking.diagnosis.work import Setting
 from dhcli.checking.exercise import Exercise
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import has_angle_unit
-from dhcli.notation.tree import Expr, Sum, Trig, Unit, add, multiply, negate, number
+from dhcli.notation.tree import ZERO, Expr, Trig, Unit, add, multiply, negate, number
 from dhcli.notation.trig import swapped
 from dhcli.notation.walk import rebuild, substitute, symbols, walk
 
@@ -65,10 +65,9 @@ def term_sign(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
 
 @_mistake("term-forgotten", "{where} is left out", "count the terms")
 def term_forgotten(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
-    """One term of a sum left out."""
-    if isinstance(expr, Sum):
-        for k, term in enumerate(expr.terms):
-            yield _shown(term, exercise), add(*expr.terms[:k], *expr.terms[k + 1 :])
+    """One term of a sum left out, wherever the sum stands."""
+    for piece in pieces(expr):
+        yield _shown(piece.term, exercise), piece.put(ZERO)
 
 
 @_mistake(

@@ -1,0 +1,163 @@
+"""Answers as tired people type and paste them: from spreadsheets, from Word, from slides, from a phone.
+
+Each stands here with one slip in it as well: a spelling that is read must not make a wrong answer right.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from dhcli.checking.judge import Judge
+from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.files.yaml.exercises import load_exercise
+
+ARM, LINK = "yim/planar-two-links", "yim/dh-factors"
+FORMULAS, VALUES, REACH = "inverse/planar-joints", "inverse/planar-joints-in-numbers", "inverse/planar-reach"
+COUNTS, TABLE, JACOBIAN = "yim/counting-freedoms", "zhou/three-r-arm-tip", "motion/planar-jacobian"
+DOT = "\u2061"  # what Word has between a function and its argument
+
+
+@cache
+def judge(exercise: str) -> Judge:
+    """The judge of an exercise, once."""
+    return Judge(load_exercise(exercise))
+
+
+def told(exercise: str, part: str, answer: str) -> Mark:
+    """An answer judged."""
+    found = judge(exercise)
+    return found.mark(found.exercise.part(part), answer)
+
+
+READ = [
+    (ARM, "a1", "c1\t-s1\t0\ta1 c1\ns1\tc1\t0\ta1 s1\n0\t0\t1\t0\n0\t0\t0\t1", ("a1 s1", "a1 c1")),
+    (ARM, "a1", "(c1 -s1 0 a1c1)\n(s1 c1 0 a1s1)\n(0 0 1 0)\n(0 0 0 1)", ("a1s1", "a1c1")),
+    (ARM, "a1", "(c1 -s1 0 a1c1\n s1 c1 0 a1s1\n 0 0 1 0\n 0 0 0 1)", ("a1s1", "a1c1")),
+    (ARM, "a1", "COS(θ1) -SIN(θ1) 0 a1*COS(θ1); SIN(θ1) COS(θ1) 0 a1*SIN(θ1); 0 0 1 0; 0 0 0 1", ("a1*SIN", "a1*COS")),
+    (
+        ARM,
+        "a1",
+        (
+            f"[■(cos{DOT}θ_1&-sin{DOT}〖θ_1 〗&0&a_1 cos{DOT}θ_1@"
+            f"sin{DOT}θ_1&cos{DOT}θ_1&0&a_1 sin{DOT}θ_1@0&0&1&0@0&0&0&1)]"
+        ),
+        (f"a_1 sin{DOT}θ_1", f"a_1 cos{DOT}θ_1"),
+    ),
+    (ARM, "t02", "c_{1+2} -s_{1+2} 0 a1c1+a2c_{1+2}; s12 c12 0 a1s1+a2s_{1+2}; 0 0 1 0; 0 0 0 1", ("a2s_", "a2c_")),
+    (ARM, "d02", "a1 c1 + a2 c12\ta1 s1 + a2 s12\t0", ("s12", "c12")),
+    (ARM, "d02", "P(a1 c1 + a2 c12, a1 s1 + a2 s12, 0)", ("s12", "c12")),
+    (ARM, "d02", "x: a1c1 + a2c12, y: a1s1 + a2s12, z: 0", ("s12", "c12")),
+    ("bajd/rotate-a-vector", "w", "-6 i + 14 j + 0 k", ("-6", "6")),
+    ("bajd/rotate-a-vector", "w", "<-6, 14, 0>", ("-6", "6")),
+    ("yim/dh-process", "against", "a1c1+a2c_{1-2}, a1s1+a2s_{1-2}, d1-d2", ("s_{1-", "s_{1+")),
+    (ARM, "table", "Joint 1: θ = θ1, d = 0, a = a1, α = 0\nJoint 2: θ = θ2, d = 0, a = a2, α = 0", ("a2", "a1")),
+    (ARM, "table", "a=a1; α=0; d=0; θ=θ1\na=a2; α=0; d=0; θ=θ2", ("a2", "a1")),
+    (ARM, "table", "link1: a1, 0, 0, θ1\nlink 2: a2, 0, 0, θ2", ("a2", "a1")),
+    (ARM, "table", "1: a1, 0, 0, θ1\n2: a2, 0, 0, θ2", ("a2", "a1")),
+    (ARM, "table", "1. a1, 0, 0, θ1\n2. a2, 0, 0, θ2", ("a2", "a1")),
+    (ARM, "table", "1: a1 0 0 θ1\n2: a2 0 0 θ2", ("a2", "a1")),
+    (ARM, "blocks", "option 1", ("1", "2")),
+    (ARM, "blocks", "Answer: a)", ("a)", "b)")),
+    (ARM, "blocks", "#1", ("1", "2")),
+    (ARM, "blocks", "①", ("①", "②")),
+    (LINK, "order", "Rot(z,θᵢ)·Trans(0,0,dᵢ)·Trans(aᵢ,0,0)·Rot(x,αᵢ)", ("Rot(x", "Rot(y")),
+    (LINK, "order", "Rot(z,θi), Trans(0,0,di), Trans(ai,0,0), Rot(x,αi)", ("Rot(x", "Rot(y")),
+    (LINK, "order", "Rot(z,θi) → Trans(0,0,di) → Trans(ai,0,0) → Rot(x,αi)", ("Rot(x", "Rot(y")),
+    (LINK, "order", "1. Rot(z,θi)\n2. Trans(0,0,di)\n3. Trans(ai,0,0)\n4. Rot(x,αi)", ("Rot(x", "Rot(y")),
+    (LINK, "order", "Rot_{z,θ_i} Trans_{z,d_i} Trans_{x,a_i} Rot_{x,α_i}", ("Rot_{x", "Rot_{y")),
+    (LINK, "order", "Rot(z_{i-1}, θ_i) Trans(z_{i-1}, d_i) Trans(x_i, a_i) Rot(x_i, α_i)", ("Rot(x_i", "Rot(z_i")),
+    (
+        LINK,
+        "link",
+        "cθᵢ −sθᵢcαᵢ sθᵢsαᵢ aᵢcθᵢ\nsθᵢ cθᵢcαᵢ −cθᵢsαᵢ aᵢsθᵢ\n0 sαᵢ cαᵢ dᵢ\n0 0 0 1",
+        ("aᵢsθᵢ", "aᵢcθᵢ"),
+    ),
+    (LINK, "link", "ci -si*cαi si*sαi ai*ci; si ci*cαi -ci*sαi ai*si; 0 sαi cαi di; 0 0 0 1", ("ai*si", "ai*ci")),
+    (FORMULAS, "elbow", "±cos⁻¹((px²+py²-a1²-a2²)/(2a1a2))", ("-a2²", "+a2²")),
+    (FORMULAS, "elbow", "±ACOS((px^2+py^2-a1^2-a2^2)/(2*a1*a2))", ("-a2^2", "+a2^2")),
+    (FORMULAS, "elbow", "±arccos((pₓ² + p_y² − a₁² − a₂²)/(2·a₁·a₂))", ("2·a", "3·a")),
+    (FORMULAS, "shoulder", "Atan2(py,px)-Atan2(a2s2,a1+a2c2)", ("py,px", "px,py")),
+    (VALUES, "any", "(2.48°|67.98°)", ("67.98", "66.98")),
+    (VALUES, "any", "q = (2.48, 67.98)°", ("67.98", "66.98")),
+    (VALUES, "all", "1. 2.48° 67.98°\n2. 59.45° -67.98°", ("-67.98", "67.98")),
+    (VALUES, "all", "| θ1 | θ2 |\n|---|---|\n| 2.48 | 67.98 |\n| 59.45 | -67.98 |", ("-67.98", "67.98")),
+    (VALUES, "all", "θ2 θ1\n67.98 2.48\n-67.98 59.45", ("θ2 θ1", "θ1 θ2")),
+    (VALUES, "all", "{(2.48, 67.98), (59.45, -67.98)}", ("-67.98", "67.98")),
+    (REACH, "inside", "it is reachable", ("reachable", "not reachable")),
+    (REACH, "ways", "2 solutions", ("2", "1")),
+    (REACH, "ways", "two ways", ("two", "three")),
+    (COUNTS, "sixr", "6 DOF", ("6", "5")),
+    (COUNTS, "sixr", "DoF: 6", ("6", "5")),
+    (COUNTS, "sixr", "six degrees of freedom.", ("six", "five")),
+    (COUNTS, "sixr", "=6", ("6", "5")),
+    (COUNTS, "links", "7 links", ("7", "6")),
+    (TABLE, "table", "a 0 0 θ1\nb -PI()/2 0 θ2\n0 0 0 θ3", ("-PI", "PI")),
+    (JACOBIAN, "determinant", "|J| = a1 a2 s2", ("s2", "c2")),
+    (JACOBIAN, "whole", "-a1 s1 - a2 s12\t-a2 s12\na1 c1 + a2 c12\ta2 c12\n0\t0\n0\t0\n0\t0\n1\t1", ("1\t1", "1\t0")),
+]
+
+
+@pytest.mark.parametrize(("exercise", "part", "answer", "slip"), READ)
+def test_an_answer_is_read_as_it_is_typed(exercise: str, part: str, answer: str, slip: tuple[str, str]) -> None:
+    """And with a slip in it it is wrong."""
+    mark = told(exercise, part, answer)
+    assert mark.verdict is Verdict.RIGHT, mark
+    right, wrong = slip
+    before, found, behind = answer.rpartition(right)
+    assert found
+    assert told(exercise, part, f"{before}{wrong}{behind}").verdict in (Verdict.WRONG, Verdict.CLOSE)
+
+
+@pytest.mark.parametrize(
+    ("exercise", "part", "answer", "said"),
+    [
+        (ARM, "a1", "Rot(z,θ1) Trans(a1,0,0)", "these are moves; what they make was asked, number by number"),
+        (ARM, "blocks", "1 or 2", "choose a number from 1 to 4"),
+        (FORMULAS, "elbow", "acos((px²+py²-a1²-a2²)/2a1a2)", "can be read in two ways (write a/(2*a1a2) or a/2*a1a2)"),
+        (FORMULAS, "elbow", "cos⁻¹(θ1)", "cos to a negative power can be read in two ways"),
+        (FORMULAS, "elbow", "cos⁻¹(0.5)", "cos to a negative power can be read in two ways"),
+        (FORMULAS, "shoulder", "ATAN2(px,py)", "a spreadsheet has x first: write atan2(y, x)"),
+        (REACH, "ways", "2 or 4 solutions", "a number of solutions is a whole number"),
+        (COUNTS, "sixr", "6 apples", "apples"),
+    ],
+)
+def test_what_may_be_meant_in_two_ways_is_asked(exercise: str, part: str, answer: str, said: str) -> None:
+    """A question costs no try."""
+    mark = told(exercise, part, answer)
+    assert mark.verdict is Verdict.CANNOT_READ
+    assert said in "; ".join(mark.remarks)
+
+
+RATES, POSE, TURN = "motion/planar-rates-in-numbers", "bajd/scara-pose-in-m", "inverse/planar-joints-in-numbers"
+
+
+@pytest.mark.parametrize(
+    ("exercise", "part", "answer", "unit"),
+    [
+        (RATES, "load", "403.65 -31.38 Ncm", "Ncm"),
+        (RATES, "load", "4036.5, -313.8 N mm", "N mm"),
+        (RATES, "rates", "29.04, -64.64 °/s", "°/s"),
+    ],
+)
+def test_a_unit_behind_the_last_number_alone_is_asked_about(exercise: str, part: str, answer: str, unit: str) -> None:
+    """Where the answer is right if it is that of all; a bracket settles it, and another number stays wrong."""
+    mark = told(exercise, part, answer)
+    said = (
+        f"{unit} stands behind the last number alone: if it is that of all, write it behind each, or behind a bracket"
+    )
+    assert (mark.verdict, mark.remarks) == (Verdict.CANNOT_READ, (said,))
+    numbers = answer.strip("()").removesuffix(unit)
+    assert (
+        told(exercise, part, f"({numbers.strip().replace(' -', ', -').replace(',,', ',')}) {unit}").verdict
+        is Verdict.RIGHT
+    )
+    assert told(exercise, part, f"9{answer.lstrip('(')}").verdict is Verdict.WRONG
+
+
+def test_a_list_that_is_right_with_one_unit_in_it_is_right() -> None:
+    """Metres for two numbers and millimetres for the third; three in millimetres earn half, a unit or not."""
+    assert told(POSE, "grip", "81.82, 431.09, 150 mm").other_unit == "mm"
+    assert told(POSE, "grip", "0.08182, 0.43109, 150 mm").verdict is Verdict.RIGHT
+    assert told(TURN, "any", "2.4773, 67.9757°").verdict is Verdict.RIGHT
