@@ -11,9 +11,10 @@ import numpy as np
 
 from dhcli.errors import RobotError, plural
 from dhcli.kinematics.coupling import is_coupled
-from dhcli.kinematics.forward import Given
+from dhcli.kinematics.derived import in_floats
+from dhcli.kinematics.forward import Given, forward
 from dhcli.kinematics.inverse.branches import branch_names, factors
-from dhcli.kinematics.inverse.question import Question, ask
+from dhcli.kinematics.inverse.question import Question, ask, stands
 from dhcli.kinematics.inverse.solutions import Free, Solutions, relation, shown_value, turning_joints
 from dhcli.kinematics.inverse.solving import Solved, solve
 from dhcli.kinematics.inverse.targets import EXACT, read_targets
@@ -22,7 +23,7 @@ from dhcli.kinematics.inverse.trying import CONFIRMED
 from dhcli.kinematics.inverse.turns import limits_of, placed
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Robot, check_robot
-from dhcli.kinematics.values import JointInput
+from dhcli.kinematics.values import JointInput, joint_values
 from dhcli.notation.angle import Angle
 
 if TYPE_CHECKING:
@@ -61,7 +62,8 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
     Args:
         robot: The robot.
         T: The pose of the end frame seen from the start frame, shape (4, 4) [m]; for the position alone also a point
-            (3,), for the orientation a matrix (3, 3), for a direction a vector (3,).
+            (3,), for the orientation a matrix (3, 3), for a direction a vector (3,). Or joint values that stand
+            there, by name, in text, or as a pose of the robot's: joints that its task leaves over are held at them.
         task: What of it counts: `pose`, `position`, `orientation`, `axis` (position and direction of z), `direction`.
         near: Joint values, in whatever form `forward` takes: solutions are sorted by their distance from them.
         hold: Values of joints that are not to be computed; a robot with more joints than the task needs holds one of
@@ -83,6 +85,10 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
+    standing: dict[str, float] = {}
+    if isinstance(T, str | Mapping):
+        standing = {name: in_floats(value) for name, value in joint_values(robot, T).items()} if near is None else {}
+        T = forward(robot, T, start=start, end=end, parameters=parameters)  # noqa: N806
     if is_coupled(robot):
         from dhcli.kinematics.inverse.carried import Carried  # few robots are
         from dhcli.kinematics.inverse.coupled import through  # few robots are
@@ -91,10 +97,11 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
         if carried is not None:
             asked: dict[str, object] = {"near": near, "hold": hold, "within_limits": within_limits, "start": start}
             asked |= {"task": task, "family": family, "end": end, "parameters": parameters, "tolerance": tolerance}
-            return through(inverse, carried, T, all_turns=all_turns, **asked)
+            return through(inverse, carried, T, standing, all_turns=all_turns, **asked)
     question, held = ask(
         robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters, tolerance=tolerance
     )
+    question = replace(question, standing=standing)
     ready = question.ready
     poses, changed = read_targets(T, ready.task)
     if len(poses) != 1:
@@ -135,8 +142,8 @@ def _solved(
 ) -> tuple[Solved, list[str]]:
     """The solutions, and what has to be said about joints that are held without having been asked for."""
     ready = question.ready
-    best = question.best()
     chosen = [j for j in ready.plan.held if j not in held]
+    best = question.best(chosen)
     if not chosen:
         fixed = {j: np.array([value]) for j, value in held.items()}
         solved = solve(ready, goal, best, fixed, tolerance)
@@ -181,7 +188,8 @@ def _held_words(question: Question, chosen: list[int], solved: Solved, family: i
         return f"{names} held"
     q = question.values(solved.motions)[0]
     shown = [shown_value(question.robot, order[j], float(q[order[j]])) for j in sorted(chosen)]
-    return f"held {', '.join(shown)}"
+    there = stands(dict(zip(question.robot.variables, q.tolist(), strict=True)), names.split(", "), question.standing)
+    return f"held {', '.join(shown)}{there}"
 
 
 def _sampled(
