@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from dhcli.kinematics.batch import forward_batch
+from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.inverse.asked import inverse
+from dhcli.kinematics.inverse.choosing import rank
+from dhcli.kinematics.inverse.question import ask
 from dhcli.kinematics.inverse.solutions import Solutions
+from dhcli.kinematics.inverse.targets import EXACT, read_targets
+from dhcli.kinematics.inverse.tasks import TaskName, task_called
+from dhcli.kinematics.robot import Robot
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -19,6 +25,12 @@ if TYPE_CHECKING:
 
 _APART = 4.0
 """The nearest pose is at most so many times as far away in an entry as its digits leave open; the true one is once."""
+
+FEW, _MANY = 3, 13
+"""Decimals from which on a matrix may be meant to its digits only, and of a number that is not typed by hand."""
+
+_ROUND = 1e-15
+"""A number this near to one of few decimals is that one."""
 
 _ROUNDS, _STEP = 4, 1e-5
 """Steps to the nearest pose, and by how much joints are moved to see where it is."""
@@ -45,8 +57,28 @@ def as_typed(found: Solutions, T: ArrayLike, slack: float, asked: Mapping[str, A
     Returns:
         Those solutions, with a remark; the answer given where it has some, or where the nearest pose is another one.
     """
-    if len(found) or found.closest is None or not slack:
+    there = nearest_typed(found, T, slack, asked)
+    if there is None:
         return found
+    pose, apart = there
+    nearest = inverse(found.robot, pose, task=found.task, **asked)  # type: ignore[arg-type]  # a task's name
+    said = "the arm takes no pose with exactly these digits"
+    return replace(
+        nearest, remarks=(f"{said}; the nearest is taken, an entry of it {apart:.2g} away", *nearest.remarks)
+    )
+
+
+def nearest_typed(found: Solutions, T: ArrayLike, slack: float, asked: Mapping[str, Any]) -> tuple[Array, float] | None:  # noqa: N803
+    """The pose nearest to one that was typed, shape (4, 4), and how far an entry of it is at most; None if another.
+
+    Args:
+        found: The answer for the pose as it was typed.
+        T: The pose, shape (4, 4) [m].
+        slack: By how much its digits leave each entry open [m, 1]; 0 where it is exact.
+        asked: What else `inverse` was asked.
+    """
+    if len(found) or found.closest is None or not slack:
+        return None
     seen = {name: asked.get(name) for name in ("start", "end", "parameters")}
     columns, wanted = _COUNTS[found.task], np.asarray(T, dtype=float)[:3]
     still = [found.robot.variables.index(name) for name in {*(asked.get("hold") or {}), *dict(found.held)}]
@@ -58,14 +90,52 @@ def as_typed(found: Solutions, T: ArrayLike, slack: float, asked: Mapping[str, A
 
     q = _nearer(left, found.closest, still)
     apart = float(np.abs(left(q[None])).max())
-    if apart > _APART * slack:
-        return found
-    there = forward_batch(found.robot, q[None], **seen)[0]  # type: ignore[arg-type]
-    nearest = inverse(found.robot, there, task=found.task, **asked)  # type: ignore[arg-type]  # a task's name
-    said = "the arm takes no pose with exactly these digits"
-    return replace(
-        nearest, remarks=(f"{said}; the nearest is taken, an entry of it {apart:.2g} away", *nearest.remarks)
-    )
+    return None if apart > _APART * slack else (forward_batch(found.robot, q[None], **seen)[0], apart)  # type: ignore[arg-type]
+
+
+def poses_as_typed(
+    robot: Robot, poses: Array, lost: Sequence[int], task: TaskName, asked: Mapping[str, Any]
+) -> dict[int, Array]:
+    """Of poses without a solution those that their digits leave open to an arm of few joints, as it takes them.
+
+    Args:
+        robot: The robot.
+        poses: Poses, shape (N, 4, 4) [m].
+        lost: Which of them have no solution.
+        task: What of them counts.
+        asked: What else `inverse` takes.
+
+    Returns:
+        By their numbers the nearest poses that the arm takes.
+    """
+    wanted = [(k, slack) for k in lost if (slack := slack_of(poses[k], task))]
+    if not wanted or not _is_short(robot, task, asked):
+        return {}
+    found = {}
+    for k, slack in wanted:
+        there = nearest_typed(inverse(robot, poses[k], task=task, **asked), poses[k], slack, asked)
+        if there is not None:
+            found[k] = there[0]
+    return found
+
+
+def slack_of(pose: Array, task: TaskName) -> float:
+    """By how much the decimals of a pose leave an entry open: half a unit of the last; 0 if many or few are right."""
+    for decimals in range(_MANY):
+        if np.abs(np.round(pose, decimals) - pose).max() < _ROUND:
+            is_rounded = decimals > FEW or (decimals == FEW and read_targets(pose, task_called(task))[1] > EXACT)
+            return 0.5 * 10.0**-decimals if is_rounded else 0.0
+    return 0.0
+
+
+def _is_short(robot: Robot, task: TaskName, asked: Mapping[str, Any]) -> bool:
+    """Whether a robot has not enough joints for a task, so that poses of few digits are beside those it takes."""
+    if is_coupled(robot):
+        return True
+    seen = {name: asked.get(name) for name in ("hold", "start", "end", "parameters")}
+    question, held = ask(robot, task, **seen)  # type: ignore[arg-type]  # what it takes
+    ready = question.ready
+    return rank(ready.arm, ready.task, tuple(held)) < ready.task.conditions
 
 
 def _nearer(left: Callable[[Array], Array], q: Array, still: list[int]) -> Array:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from dhcli import forward, inverse, load_robot
-from dhcli.kinematics.inverse.as_typed import as_typed
+from dhcli.kinematics.inverse.as_typed import as_typed, poses_as_typed, slack_of
 from dhcli.kinematics.inverse.solutions import Solutions
 from dhcli.kinematics.robot import Robot
 
@@ -50,3 +50,34 @@ def test_a_pose_that_its_digits_do_not_reach_has_no_solution_as_before() -> None
     assert len(typed(robot, pose, 4)) == 0
     assert len(as_typed(inverse(robot, pose), pose, 0.0, {})) == 0
     assert len(typed(robot, pose, 3)) == 1
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_rows_of_few_decimals_have_the_pose_that_a_single_one_has(name: str) -> None:
+    """Those that the arm takes as they are, or that are exact, are left as they are."""
+    robot = load_robot(name)
+    exact = np.array(forward(robot, (0.35, 0.97, 0.61, 0.82)[: len(robot.variables)]).matrix)
+    poses = np.array([exact, np.round(exact, 4), np.round(exact, 4) + np.eye(4, k=3) * 0.7])
+    alone = [inverse(robot, pose) for pose in poses]
+    lost = [k for k, found in enumerate(alone) if not len(found)]
+    taken = poses_as_typed(robot, poses, lost, "pose", {})
+    assert set(taken) == {k for k in lost if len(as_typed(alone[k], poses[k], slack_of(poses[k], "pose"), {}))}
+    for k, pose in taken.items():
+        assert np.abs(pose - poses[k]).max() < 2e-4
+        assert len(inverse(robot, pose))
+
+
+def test_the_digits_of_a_row_say_how_much_they_leave_open() -> None:
+    """Half a unit of the last; nothing where they are all there are, or plain, as 0.125 of a pose that is exact."""
+    turned = np.array(forward(load_robot("planar-2r"), [0.3, 0.9]).matrix)
+    plain = np.eye(4)
+    plain[0, 3] = 0.125
+    decimals = [slack_of(np.round(turned, n), "pose") for n in (3, 4, 6)]
+    assert decimals == pytest.approx([5e-4, 5e-5, 5e-7])
+    assert slack_of(turned, "pose") == slack_of(plain, "pose") == 0.0
+
+
+def test_an_arm_with_joints_enough_is_not_asked_again() -> None:
+    """A pose out of its reach is so by more than digits."""
+    far = np.round(np.array(forward(load_robot("puma560"), "ready").matrix), 4) + np.eye(4, k=3) * 3.1234
+    assert poses_as_typed(load_robot("puma560"), far[None], [0], "pose", {}) == {}
