@@ -29,6 +29,9 @@ _APART = 4.0
 FEW, _MANY = 3, 13
 """Decimals from which on a matrix may be meant to its digits only, and of a number that is not typed by hand."""
 
+_WELL = 1e-3
+"""A way to move the end by less than this share of the most is none by which digits say where a joint is."""
+
 _ROUND = 1e-15
 """A number this near to one of few decimals is that one."""
 
@@ -79,18 +82,65 @@ def nearest_typed(found: Solutions, T: ArrayLike, slack: float, asked: Mapping[s
     """
     if len(found) or found.closest is None or not slack:
         return None
-    seen = {name: asked.get(name) for name in ("start", "end", "parameters")}
-    columns, wanted = _COUNTS[found.task], np.asarray(T, dtype=float)[:3]
-    still = [found.robot.variables.index(name) for name in {*(asked.get("hold") or {}), *dict(found.held)}]
-
-    def left(q: Array) -> Array:
-        """What each entry of poses is beside, shape (N, m)."""
-        gaps = forward_batch(found.robot, q, **seen)[:, :3] - wanted  # type: ignore[arg-type]
-        return np.asarray(gaps[:, *columns].reshape(len(q), -1))
-
+    still = _still(found, asked)
+    left = _left(found, T, asked)
     q = _nearer(left, found.closest, still)
     apart = float(np.abs(left(q[None])).max())
-    return None if apart > _APART * slack else (forward_batch(found.robot, q[None], **seen)[0], apart)  # type: ignore[arg-type]
+    return None if apart > _APART * slack else (_poses(found, q[None], asked)[0], apart)
+
+
+def at_limits(found: Solutions, T: ArrayLike, slack: float, asked: Mapping[str, Any]) -> Solutions:  # noqa: N803
+    """The solutions, those of their joints at their limits that are beyond them by less than the digits leave open.
+
+    Args:
+        found: The answer for a pose that was typed.
+        T: The pose, shape (4, 4) [m].
+        slack: By how much its digits leave each entry open [m, 1].
+        asked: What else `inverse` was asked.
+    """
+    if not any(found.beyond):
+        return found
+    still, left, names = _still(found, asked), _left(found, T, asked), found.robot.variables
+    beyond = []
+    for q, outside in zip(found.q, found.beyond, strict=True):
+        open_by = slack * np.abs(np.linalg.pinv(_slopes(left, q, still).T, rcond=_WELL)).sum(axis=1) if outside else []
+        room = dict(zip(names, open_by, strict=False))
+        beyond.append(tuple(each for each in outside if abs(each.by) > room.get(each.joint, 0.0)))
+    now = {each.joint for outside in found.beyond for each in outside if all(each not in kept for kept in beyond)}
+    said = (
+        [f"to the digits typed {', '.join(name for name in names if name in now)} may stand at a limit"] if now else []
+    )
+    return replace(found, beyond=tuple(beyond), remarks=(*found.remarks, *said))
+
+
+def _still(found: Solutions, asked: Mapping[str, Any]) -> list[int]:
+    """The numbers of joints that are held."""
+    return [found.robot.variables.index(name) for name in {*(asked.get("hold") or {}), *dict(found.held)}]
+
+
+def _poses(found: Solutions, q: Array, asked: Mapping[str, Any]) -> Array:
+    """Where joint values (N, n) take the end, shape (N, 4, 4)."""
+    seen = {name: asked.get(name) for name in ("start", "end", "parameters")}
+    return forward_batch(found.robot, q, **seen)  # type: ignore[arg-type]
+
+
+def _left(found: Solutions, T: ArrayLike, asked: Mapping[str, Any]) -> Callable[[Array], Array]:  # noqa: N803
+    """What each entry of a pose that counts is beside at joint values (N, n), shape (N, m)."""
+    columns, wanted = _COUNTS[found.task], np.asarray(T, dtype=float)[:3]
+
+    def left(q: Array) -> Array:
+        gaps = _poses(found, q, asked)[:, :3] - wanted
+        return np.asarray(gaps[:, *columns].reshape(len(q), -1))
+
+    return left
+
+
+def _slopes(left: Callable[[Array], Array], q: Array, still: list[int]) -> Array:
+    """How each entry changes with each joint that is not held, shape (n, m)."""
+    steps = _STEP * np.eye(len(q))
+    slopes = (left(q + steps) - left(q - steps)) / (2 * _STEP)
+    slopes[still] = 0
+    return slopes
 
 
 def poses_as_typed(
@@ -140,9 +190,6 @@ def _is_short(robot: Robot, task: TaskName, asked: Mapping[str, Any]) -> bool:
 
 def _nearer(left: Callable[[Array], Array], q: Array, still: list[int]) -> Array:
     """Joint values from which all entries are beside by the least sum of squares, each as much as another."""
-    steps = _STEP * np.eye(len(q))
     for _ in range(_ROUNDS):
-        slopes = (left(q + steps) - left(q - steps)) / (2 * _STEP)
-        slopes[still] = 0
-        q = q - np.linalg.lstsq(slopes.T, left(q[None])[0], rcond=1e-6)[0]
+        q = q - np.linalg.lstsq(_slopes(left, q, still).T, left(q[None])[0], rcond=1e-6)[0]
     return q

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from dhcli import forward, inverse, load_robot
-from dhcli.kinematics.inverse.as_typed import as_typed, poses_as_typed, slack_of
+from dhcli.kinematics.derived import in_floats
+from dhcli.kinematics.inverse.as_typed import as_typed, at_limits, poses_as_typed, slack_of
 from dhcli.kinematics.inverse.solutions import Solutions
 from dhcli.kinematics.robot import Robot
+from dhcli.notation.angle import Angle
 
 ARMS = ("articulated", "planar-2r", "scara", "spherical-wrist", "zhou-3r", "cylindrical", "palletizer")
 
@@ -81,3 +85,30 @@ def test_an_arm_with_joints_enough_is_not_asked_again() -> None:
     """A pose out of its reach is so by more than digits."""
     far = np.round(np.array(forward(load_robot("puma560"), "ready").matrix), 4) + np.eye(4, k=3) * 3.1234
     assert poses_as_typed(load_robot("puma560"), far[None], [0], "pose", {}) == {}
+
+
+@pytest.mark.parametrize("name", ["puma560", "panda", "articulated-within"])
+def test_a_joint_at_its_limit_is_there_to_the_digits_typed(name: str) -> None:
+    """The digits leave it beyond by some thousandths of a degree; what is beyond by three degrees stays so."""
+    robot = load_robot(name.removesuffix("-within"))
+    if name.endswith("-within"):
+        robot = replace(robot, limits={robot.variables[1]: (Angle.in_degrees(-20), Angle.in_degrees(40))})
+    pairs = [(name, *map(in_floats, robot.limits[name])) for name in robot.limits]
+    seen = 0
+    for joint, low, high in pairs:
+        q = dict(zip(robot.variables, (0.31, 0.42, -0.53, -0.64, 0.75, 0.86, 0.97), strict=False))
+        for at in (low, high, high + np.radians(3)):
+            q[joint] = at
+            few = np.round(np.array(forward(robot, q).matrix), 4)
+            hold = {"theta7": q["theta7"]} if "theta7" in q and joint != "theta7" else {}
+            found = as_typed(inverse(robot, few, hold=hold), few, 5e-5, {"hold": hold})
+            taken = at_limits(found, few, 5e-5, {"hold": hold})
+            k = int(np.argmin(found.distances(q)))
+            if found.distances(q)[k] > 0.01:
+                continue
+            beyond = {each.joint for each in taken.beyond[k]}
+            before = {each.joint for each in found.beyond[k]}
+            assert beyond == (before if at > high else before - {joint})
+            seen += before != beyond
+            assert all(set(now) <= set(then) for now, then in zip(taken.beyond, found.beyond, strict=True))
+    assert seen
