@@ -208,6 +208,14 @@ def test_a_path_that_cannot_be_followed_says_why(dhcli: Run, options: tuple[str,
     assert said in done.err
 
 
+def test_a_path_is_of_poses_or_of_positions(dhcli: Run) -> None:
+    """The row is named where the other begins; one by one they are solved all the same."""
+    text = '{"position": [0.3, 0.2, 0.3], "rpy": {"roll": 0, "pitch": 0, "yaw": 0}}\n{"position": [0.3, 0.2, 0.3]}\n'
+    done = dhcli("ik", "scara", "--in", "-", "--follow", "--near", "0,1,0.1", stdin=text)
+    assert (done.code, "standard input:2: is a position among poses" in done.err) == (2, True), done.err
+    assert "2," in dhcli("ik", "scara", "--in", "-", stdin=text).out
+
+
 def test_rows_that_are_no_pose_may_be_left_out(dhcli: Run) -> None:
     """A word for a number, a row too short, a matrix that is no rotation: each is named, the others are solved."""
     head = "r11,r12,r13,p_x,r21,r22,r23,p_y,r31,r32,r33,p_z\n"

@@ -359,11 +359,21 @@ FILES: dict[str, tuple[str, tuple[tuple[str, ...], ...]]] = {
 ROWS: dict[str, bytes] = {
     "q.csv": b"theta1[deg], theta2 [rad], d3[mm], note\n10,0.5,100,a\n20,0.6,-50,b\n",
     "q2.csv": b"sep=;\n0,1;0,2;0,3\n1;2;3\n",
+    "one.csv": b"d3[mm];theta1[deg];theta2\n100;30;0,5\n",
     "q.jsonl": b'{"theta1": 0.1, "theta2": 0.2, "d3": 0.3}\n[1, 2, 3]\n',
     "q.npy": b"\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (1, 3), }"
     + b" " * 58
     + b"\n"
     + b"\0" * 24,
+}
+
+
+POSES: dict[str, bytes] = {
+    "p.csv": b"p_x,p_y,p_z,roll,pitch,yaw\n-0.2321,0.4259,0.3,0,0,0.8\n",
+    "m.csv": b"r11;r12;r13;p_x;r21;r22;r23;p_y;r31;r32;r33;p_z\n1;0;0;0,3;0;1;0;0,2;0;0;1;0,3\n",
+    "a.csv": b"axis_x axis_y axis_z angle[deg] p_x[cm] p_y p_z\n0 0 2 90 30 0.2 0.3\n",
+    "p.jsonl": b'{"position": [0.3, 0.2, 0.3], "quaternion": {"w": 1, "x": 0, "y": 0, "z": 0}}\n{"position": [0.3, 0.2, 0.3]}\n',
+    "p.npy": ROWS["q.npy"],
 }
 
 
@@ -419,7 +429,20 @@ def _rows(chance: random.Random) -> Case:
     else:
         content = mutated(content.decode(), chance).encode("utf-8", "surrogatepass")
     more = chance.choice(((), ("--deg",), ("--skip-bad", "--ignore-columns"), ("--as", "rpy", "--format", "jsonl")))
-    return Case(("fk", "scara", "--in", name, *more), {name: content})
+    lines = [("fk", "scara", "--in", name, *more)] * 2
+    lines += [("jacobian", "scara", "--rows", name, "--skip-bad"), ("fk", "scara", "--q", f"@{name}")]
+    return Case(chance.choice(lines), {name: content})
+
+
+def _poses(chance: random.Random) -> Case:
+    name = chance.choice(sorted(POSES))
+    content = POSES[name]
+    if name.endswith(".npy") or chance.random() < 0.2:
+        content = mutated_bytes(content, chance)
+    else:
+        content = mutated(content.decode(), chance).encode("utf-8", "surrogatepass")
+    more = chance.choice(((), ("--skip-bad",), ("--task", "position"), ("--skip-bad", "--follow", "--near", "zero")))
+    return Case(("ik", "scara", "--in", name, *more), {name: content})
 
 
 def _answer(chance: random.Random) -> Case:
@@ -445,6 +468,7 @@ DOORS = {
     "words": _line,
     "files": _file,
     "rows": _rows,
+    "poses": _poses,
     "answers": _answer,
     "moves": _moves,
     "freedoms": _freedoms,

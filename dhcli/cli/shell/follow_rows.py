@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from dhcli.cli.shell.batch import BadRows
 from dhcli.cli.shell.console import say
@@ -15,6 +16,10 @@ from dhcli.kinematics.inverse.path import follow, joined
 from dhcli.render.code.layouts import joint_layout
 from dhcli.render.paper import Paper
 from dhcli.render.text.problems import warning_line
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 MOST_TOLD = 8
 """Rows that a warning names; of more, it tells how many."""
@@ -35,17 +40,7 @@ def follow_rows(wanted: PoseWish, source: Source, delivery: RowDelivery, bad: Ba
     Raises:
         FileError: The file cannot be read, or a row is no pose.
     """
-    blocks, places = [], list[int]()
-    for poses, where in wanted.poses(source, bad):
-        blocks.append(poses)
-        places += where
-    if not blocks:
-        raise (
-            bad.error("no row can be read", "")
-            if bad.count
-            else FileError(Problem("holds no poses", Place(source.name)))
-        )
-    table = joined(blocks)
+    table, places = _read(wanted, source, bad)
     try:
         found = follow(
             wanted.robot,
@@ -66,6 +61,26 @@ def follow_rows(wanted: PoseWish, source: Source, delivery: RowDelivery, bad: Ba
     _tell(places, found.singular, "the arm is singular, or nearly, at")
     _tell(places, found.lost, "out of reach, and without a row:")
     return len(found.lost)
+
+
+def _read(wanted: PoseWish, source: Source, bad: BadRows) -> tuple[NDArray[np.float64], list[int]]:
+    """All poses of a file, or all positions, and where each stands.
+
+    Raises:
+        FileError: There are none, or some of either.
+    """
+    blocks, places = list["NDArray[np.float64]"](), list[int]()
+    for poses, where in wanted.poses(source, bad):
+        if blocks and poses.ndim != blocks[0].ndim:
+            message = "is a position among poses, or a pose among positions: a path is of one or the other"
+            raise FileError(Problem(message, Place(source.name, where[0])))
+        blocks.append(poses)
+        places += where
+    if not blocks and bad.count:
+        raise bad.error("no row can be read", "")
+    if not blocks:
+        raise FileError(Problem("holds no poses", Place(source.name)))
+    return joined(blocks), places
 
 
 def _tell(places: Sequence[int], at: Sequence[int], words: str) -> None:

@@ -14,7 +14,7 @@ from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.console import say
 from dhcli.cli.shell.given import lengths_of, robot_of
 from dhcli.cli.shell.goal import task_of
-from dhcli.cli.shell.many import ManyPoses, check_alone
+from dhcli.cli.shell.many import ManyPoses, check_beside_rows
 from dhcli.cli.shell.pose_wish import PoseWish
 from dhcli.cli.shell.rows import RowDelivery
 from dhcli.cli.shell.solutions import held_of, near_of
@@ -182,7 +182,7 @@ def solve_rows(
     if many.follow:
         _check_follow(which, many)
     each = _each(which, many)
-    check_alone(path, chosen.robot, others, option="--in", instead="each row is a pose")
+    check_beside_rows(path, chosen.robot, others, option="--in", instead="each row is a pose")
     delivery.chosen()
     robot = robot_of(chosen)
     wanted_task = None if task is None else task_of(Goal(task=task))

@@ -62,7 +62,7 @@ def _assigned(lines: list[str], place: Place, path: str) -> str:
         DhcliError: It has no row or more than one, or a cell too few or too many.
     """
     from dhcli.files.rows.cells import DECIMAL_BETWEEN, cells_of, sign_between  # with numpy: few files have a header
-    from dhcli.files.rows.columns import name_and_unit
+    from dhcli.files.rows.heads import name_and_unit
 
     sign = sign_between(lines[0])
     heads, *rows = ([text.strip() for _, text in cells_of(line, sign)] for line in lines)

@@ -66,7 +66,7 @@ class Many:
         if path is None:
             own = "--skip-bad, --ignore-columns, --index and --jobs"
             raise DhcliError(f"{own} are for many {of}", f"name their file with {option} FILE")
-        check_alone(path, robot, others, option=option, instead=instead)
+        check_beside_rows(path, robot, others, option=option, instead=instead)
         return path
 
 
@@ -113,7 +113,7 @@ class ManyPoses:
         return self != ManyPoses()
 
 
-def check_alone(path: str, robot: str, others: Mapping[str, object], *, option: str, instead: str) -> None:
+def check_beside_rows(path: str, robot: str, others: Mapping[str, object], *, option: str, instead: str) -> None:
     """Make sure that nothing is asked for that a row cannot have; see `Many.file`.
 
     Raises:

@@ -8,23 +8,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhcli.errors import FileError, Place, Problem, RobotError, did_you_mean
+from dhcli.errors import FileError, Place, Problem, RobotError
 from dhcli.files.rows import INDEX, POSITION
+from dhcli.files.rows.heads import factor_of, name_and_unit
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Joint, Robot
 from dhcli.kinematics.values import joint_called
-from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS
-from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-_HEAD = regex(r"(?P<name>[^\[(]*)(?:[\[(](?P<unit>[^\])]*)[\])])?")
-"""A head without the blanks around it; those inside are taken off the pieces, and nothing is tried twice."""
-
 MOST_COLUMNS = 1000
 _ASIDE = "--ignore-columns leaves aside what is no joint"
-_RADIANS = ("rad", "radian", "radians")
 
 
 @frozen
@@ -126,6 +121,22 @@ class JointTable:
         """
         if len(heads) > MOST_COLUMNS:
             raise FileError(Problem(f"{len(heads):,} columns are more than the {MOST_COLUMNS:,} that are read", whole))
+        found, factors, problems = self._found(heads, places)
+        if missing := [joint.name for joint in self.open if joint.name not in found]:
+            hint = _wanted(self.robot)
+            if problems and not found and all(problem.hint == _ASIDE for problem in problems):
+                raise FileError(Problem(f"names no joint of {self.robot.name}", whole, hint))
+            if len(missing) == 1 and not problems:
+                hint += f"; --q {missing[0]}=0 if it stands still"
+            problems.append(Problem(f"no column for {', '.join(missing)}", whole, hint))
+        if problems:
+            raise FileError(problems)
+        return self._columns(found, factors, len(heads))
+
+    def _found(
+        self, heads: Sequence[str], places: Sequence[Place]
+    ) -> tuple[dict[str, int], dict[str, tuple[float, float]], list[Problem]]:
+        """The column of each joint and what makes radians or metres of it, and what is wrong with the others."""
         joints = {joint.name: joint for joint in self.robot.joints}
         found: dict[str, int] = {}
         factors: dict[str, tuple[float, float]] = {}
@@ -147,22 +158,12 @@ class JointTable:
                 factors[joint] = self._factor(joints[joint], unit, place)
             except RobotError as error:
                 problems += error.problems
-        if missing := [joint.name for joint in self.open if joint.name not in found]:
-            hint = _wanted(self.robot)
-            if problems and not found and all(problem.hint == _ASIDE for problem in problems):
-                raise FileError(Problem(f"names no joint of {self.robot.name}", whole, hint))
-            if len(missing) == 1 and not problems:
-                hint += f"; --q {missing[0]}=0 if it stands still"
-            problems.append(Problem(f"no column for {', '.join(missing)}", whole, hint))
-        if problems:
-            raise FileError(problems)
-        return self._columns(found, factors, len(heads))
+        return found, factors, problems
 
     def is_known(self, head: str) -> bool:
         """Whether the head of a column names a joint; with or without a unit."""
-        match = _HEAD.fullmatch(head.strip())
         try:
-            return match is not None and bool(self._joint(match["name"].strip(), None))
+            return bool(self._joint(name_and_unit(head)[0], None))
         except RobotError:
             return False
 
@@ -203,45 +204,3 @@ def _wanted(robot: Robot) -> str:
     """The columns there should be."""
     units = {"revolute": "rad", "prismatic": "m"}
     return "wanted: " + ", ".join(f"{joint.name}[{units[joint.kind]}]" for joint in robot.joints)
-
-
-def name_and_unit(head: str, place: Place) -> tuple[str, str]:
-    """Name and unit of a head, `theta1[deg]`; the unit is empty where none stands.
-
-    Raises:
-        RobotError: It is no head.
-    """
-    match = _HEAD.fullmatch(head.strip())
-    if match is None:
-        raise RobotError(Problem(f"'{head.strip():.60}' is not read as a column", place, "write theta1 or theta1[deg]"))
-    name, unit = match["name"].strip(), (match["unit"] or "").strip()
-    if not name:
-        hint = "a column of row numbers? pandas leaves it out with index=False; --ignore-columns leaves it aside"
-        raise RobotError(Problem("a column has no name", place, hint))
-    return name, unit
-
-
-def factor_of(name: str, unit: str, place: Place | None = None, *, turns: bool) -> tuple[float, float]:
-    """What makes radians or metres of a number in a unit; two numbers, because a thousandth is no float.
-
-    Args:
-        name: What is measured.
-        unit: The unit; radians or metres where it is empty.
-        place: Where the unit stands.
-        turns: Whether it is an angle; else it is a length.
-
-    Raises:
-        RobotError: It is no unit of that.
-    """
-    unit = unit or ("rad" if turns else "m")
-    if turns and unit in ANGLE_UNITS:
-        return (1.0, 1.0) if unit in _RADIANS else (np.pi, 180.0)
-    if not turns and unit in LENGTH_UNITS:
-        return float(LENGTH_UNITS[unit].numerator), float(LENGTH_UNITS[unit].denominator)
-    known = ("deg", "rad") if turns else tuple(LENGTH_UNITS)
-    if unit in ANGLE_UNITS or unit in LENGTH_UNITS:
-        kind = "length" if turns else "angle"
-        message, hint = f"{unit} is a unit of {kind}, and {name} is {'an angle' if turns else 'a length'}", ""
-    else:
-        message, hint = f"{unit} is no unit", did_you_mean(unit, known)
-    raise RobotError(Problem(message, place, hint or f"write {name}[{known[0]}]"))

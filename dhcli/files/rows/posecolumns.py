@@ -9,7 +9,7 @@ import numpy as np
 
 from dhcli.errors import FileError, Place, Problem, RobotError
 from dhcli.files.rows import INDEX, POSITION
-from dhcli.files.rows.columns import factor_of, name_and_unit
+from dhcli.files.rows.heads import factor_of, name_and_unit
 from dhcli.frozen import frozen
 from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw
 from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
