@@ -36,8 +36,10 @@ def load_exercise(name: str | Path) -> Exercise:
 
 
 def _is_alone() -> bool:
-    """Whether nobody has robots, linkages or exercises of their own that the library's may mean."""
-    return lookup._built_in_root() == LIBRARY and all(len(list(lookup._folders(kind))) == 1 for kind in Kind)
+    """Whether nobody has robots, linkages or exercises of their own that the library's may mean: of the same name."""
+    return lookup._built_in_root() == LIBRARY and not any(
+        len(list(lookup._folders(kind))) > 1 and any(entry.shadowed for entry in lookup.entries(kind)) for kind in Kind
+    )
 
 
 def remember() -> None:

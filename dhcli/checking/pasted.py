@@ -15,6 +15,7 @@ _ABOUT = regex(r"≈")
 _ABOUT_NAMED = regex(r"(?<=[\w}\u0307])[ \t]{0,9}≈(?=[ \t]{0,9}[+−-]?[\d.]{1,30}[^\n,;=]{0,20}(?:[\n,;]|$))")  # noqa: RUF001
 """Behind each name of a list of numbers, `v_x ≈ 0.1, v_y ≈ 0.2`."""
 _ABOUT_NUMBER = regex(r"(?:(?<=[\[(,;&])[ \t]{0,9}|(?<=\d[ \t]))≈(?=[+−-]?[\d.])")  # noqa: RUF001
+_ABOUT_WORD = regex(r"^\s{0,9}(?:ca\.?|circa|about|approx(?:\.|imately)?|~|≃|≅)\s{0,9}(?=[\d.+−-])", re.IGNORECASE)  # noqa: RUF001
 _EQUATION = regex(r"[\s\d.,+*/^()·×−-]{1,60}=")  # noqa: RUF001
 _UNFILLED = regex(r"(?<![\w}])_(?![\w{])")
 
@@ -65,7 +66,7 @@ def without_label(text: str, shape: Shape | None = None) -> str:
     Raises:
         UnreadableError: What stands in front is a number and names nothing, `7 = 6`.
     """
-    text = _ABOUT_NUMBER.sub("", text)
+    text = _ABOUT_NUMBER.sub("", _ABOUT_WORD.sub("", text))
     text = _ABOUT_NAMED.sub("=", text)
     text = _ABOUT.sub("=" if text[: text.find("≈")].strip() else "", text, count=1)
     equation = _EQUATION.match(text)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from dhcli.checking.lists import closing, untransposed
@@ -57,32 +58,41 @@ def as_column(text: str, scope: Scope, *, is_axis: bool) -> str:
     body = _NAMED.sub(r"\1", body)
     if "," in body and ";" not in body:
         body = body.replace("\n", " ")  # commas separate already; the line was only long
-    rows = _one_a_row(body) or _latex_column(body)
-    if rows:
+    if rows := column_of_rows(body, LENGTHS):
         return rows
     if body.startswith(("[", "{", "\\", "|")):
         return body
     return _from_unit_vectors(body, scope) or f"[{body}]"
 
 
-def _one_a_row(text: str) -> str:
-    """A column with a coordinate in each row, where blanks cannot separate: `[a1 c1; a1 s1; 0]`; else empty."""
+def column_of_rows(text: str, lengths: Sequence[int]) -> str:
+    """A column with an entry in each row, where blanks cannot separate: `[a1 c1; a1 s1; 0]`; else empty.
+
+    Args:
+        text: What was typed.
+        lengths: How many entries there may be.
+    """
+    return _one_a_row(text, max(lengths)) or _latex_column(text, lengths)
+
+
+def _one_a_row(text: str, most: int) -> str:
+    """Such a column between semicolons or line ends."""
     inside = text.removeprefix("[").removesuffix("]").strip(" \n;")
     plain = not set(_NAME_PARTS.sub("", inside)) & set("[]{}|&,\\")
     for separator in (";", "\\\\", "\n"):
         if separator in inside:
             rows = [row for row in inside.split(separator) if row.strip()]
             wide = all(_WIDE.search(row) for row in rows)
-            return "[" + ", ".join(rows) + "]" if plain and len(rows) <= max(LENGTHS) and not wide else ""
+            return "[" + ", ".join(rows) + "]" if plain and len(rows) <= most and not wide else ""
     return ""
 
 
-def _latex_column(text: str) -> str:
+def _latex_column(text: str, lengths: Sequence[int]) -> str:
     r"""A LaTeX column, whose blanks are products: `\begin{bmatrix} a \cos\theta \\ 0 \\ 1 ...`; else empty."""
     if not text.startswith(("\\begin", "\\left")) or "&" in text:
         return ""
     rows = [row for row in _LATEX_ENDS.sub("", text).replace("\n", " ").split("\\\\") if row.strip()]
-    return "[" + ", ".join(rows) + "]" if len(rows) in LENGTHS else ""
+    return "[" + ", ".join(rows) + "]" if len(rows) in lengths else ""
 
 
 def _from_unit_vectors(text: str, scope: Scope) -> str:

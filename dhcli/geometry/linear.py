@@ -13,11 +13,21 @@ VANISHED = 1e-9
 """A column shorter than this counts as zero, and two lengths that differ by less of their size as alike."""
 
 
-def reduced(rows: Sequence[Sequence[float]]) -> tuple[list[list[float]], list[float]]:
-    """Rows after elimination with pivots from the whole matrix, and the pivots with the sign of the exchanges."""
+def reduced(
+    rows: Sequence[Sequence[float]], width: int | None = None
+) -> tuple[list[list[float]], list[float], list[int]]:
+    """Rows after elimination with pivots from the whole matrix.
+
+    Args:
+        rows: The rows.
+        width: How many of their columns have pivots; all by default.
+
+    Returns:
+        The rows; the pivots with the sign of the exchanges; and which column stands in which place.
+    """
     table, pivots = [list(row) for row in rows], []
-    largest = max((abs(value) for row in table for value in row), default=0.0)
-    width = len(table[0]) if table else 0
+    width = width if width is not None else len(table[0]) if table else 0
+    largest, order = max((abs(value) for row in table for value in row[:width]), default=0.0), list(range(width))
     for k in range(min(len(table), width)):
         r, c = max(
             ((i, j) for i in range(k, len(table)) for j in range(k, width)), key=lambda at: abs(table[at[0]][at[1]])
@@ -28,11 +38,12 @@ def reduced(rows: Sequence[Sequence[float]]) -> tuple[list[list[float]], list[fl
         table[k], table[r] = table[r], table[k]
         for row in table:
             row[k], row[c] = row[c], row[k]
+        order[k], order[c] = order[c], order[k]
         pivots.append(sign * table[k][k])
         for i in range(k + 1, len(table)):
             factor = table[i][k] / table[k][k]
             table[i] = [a - factor * b for a, b in zip(table[i], table[k], strict=True)]
-    return table, pivots
+    return table, pivots, order
 
 
 def rank(rows: Sequence[Sequence[float]]) -> int:
@@ -56,13 +67,15 @@ def solution(rows: Sequence[Sequence[float]], right: Sequence[float]) -> tuple[f
     Raises:
         RobotError: There is none, or more than one.
     """
-    whole = determinant_of(rows)
-    if not whole:
+    size = len(rows)
+    table, pivots, order = reduced([[*row, value] for row, value in zip(rows, right, strict=True)], size)
+    if len(pivots) < size:
         raise RobotError("the arm is singular at the values given: no joint rates give every velocity")
-    return tuple(
-        determinant_of([[*row[:k], value, *row[k + 1 :]] for row, value in zip(rows, right, strict=True)]) / whole
-        for k in range(len(rows))
-    )
+    found = [0.0] * size
+    for k in reversed(range(size)):
+        known = sum(table[k][j] * found[order[j]] for j in range(k + 1, size))
+        found[order[k]] = (table[k][size] - known) / table[k][k]
+    return tuple(found)
 
 
 def pivots(columns: list[list[float]]) -> list[float]:

@@ -262,7 +262,7 @@ def _rules_of_exercise(exercise: Exercise, *, judged: bool) -> Iterator[Finding]
 
     yield from exercises.written(exercise)
     yield from variants.written(exercise)
-    if not judged:
+    if not judged or not exercise.asked:
         return
     judge = Judge(exercise)
     told = tuple(kept(exercises.findings(judge)))

@@ -8,7 +8,7 @@ from dhcli.checking.exercise import Exercise
 from dhcli.errors import did_you_mean
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.kinematics.validity import Finding
-from dhcli.notation.names import canonical
+from dhcli.notation.names import canonical, parts
 from dhcli.regex import regex
 from dhcli.safe import yaml_scalar
 
@@ -37,14 +37,19 @@ def findings(root: PlacedNode, exercise: Exercise | None = None) -> Iterator[Fin
 
 
 def _unused(root: PlacedNode, exercise: Exercise) -> Iterator[Finding]:
-    """Values given of names that neither the robot has nor any text of the exercise."""
-    own = exercise.robot.scope.names if exercise.robot else ()
+    """Values given of names like those of the robot that neither it has nor any text of the exercise.
+
+    What a question brings along, such as the rates of joints or the forces on the end, stands in no text.
+    """
+    robot = exercise.robot
+    own = robot.scope.names if robot else ()
+    stems = {parts(name)[0] for name in own}
     texts = (scalar.text for where, scalar in _scalars(root, ()) if where[:1] not in {(key,) for key in _VALUES})
     used = {canonical(word) for text in texts for word in _WORD.findall(text)}.union(map(canonical, own))
     for name in exercise.given:
-        if canonical(name) not in used:
-            hint = did_you_mean(name, own) if exercise.robot else ""
-            yield Finding(("given", name), f"{name}: nothing uses it", hint or "delete it", is_warning=True)
+        if canonical(name) not in used and parts(name)[0] in stems:
+            hint = did_you_mean(name, own) or "delete it"
+            yield Finding(("given", name), f"{name}: nothing uses it", hint, is_warning=True)
 
 
 def _scalars(node: PlacedNode, where: tuple[str | int, ...]) -> Iterator[tuple[tuple[str | int, ...], PlacedScalar]]:

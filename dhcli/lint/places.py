@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dhcli.errors import Place
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
+from dhcli.files.yaml.unknown import meant
 
 IN_PLACE_OF = {"links": ("links", "axes", "screws"), "joints": ("joints", "chain", "bars", "loop")}
 """Keys of which a file has one: what a rule calls the links of a robot, or the joints of a linkage."""
@@ -20,6 +21,9 @@ def place_in(root: PlacedNode, where: tuple[str | int, ...]) -> Place:
     place = root.place
     if where and (forms := IN_PLACE_OF.get(str(where[0]))):
         where = (next((key for key in forms if _below(root, key)), where[0]), *where[1:])
+    if where and isinstance(root, PlacedMapping) and _below(root, where[0]) is None:
+        top = (key.text for key, _ in root.entries if meant(key.text, (str(where[0]),)))
+        where = (next(top, where[0]), *where[1:])
     for step in where:
         found = _below(root, step)
         if found is None:

@@ -21,7 +21,7 @@ from dhcli.regex import regex
 SEEDS = tuple(str(number) for number in range(1, 201))
 """So many students are tried."""
 
-_ASSIGNED = regex(r"(?<!\w)(\\?[^\W\d_]+_?\{?\d*\}?)\s*=\s*[-−]?\d")  # noqa: RUF001  the sign of a document
+_ASSIGNED = regex(r"(?<!\w)(\\?[^\W\d_]+_?\{?\d*\}?)\s*=\s*([-−]?\d[\d.]*)")  # noqa: RUF001  the sign of a document
 
 
 def written(exercise: Exercise) -> Iterator[Finding]:
@@ -52,13 +52,19 @@ def _texts(exercise: Exercise) -> Iterator[Finding]:
     fixed = {value_text(v) for name, v in exercise.values.items() if name not in exercise.variants}
     loose = {name: value_text(v) for name, v in exercise.given.items() if name in exercise.variants}
     for where, text in texts.items():
-        for name in {canonical(found[1]) for found in _ASSIGNED.finditer(text)}.intersection(exercise.variants):
+        assigned = {canonical(found[1]) for found in _ASSIGNED.finditer(text) if not _is_zero_pose(found[2], exercise)}
+        for name in assigned.intersection(exercise.variants):
             hint = "dhcli writes the drawn numbers below the task; leave it out here"
             yield Finding(where, f"{name} varies, and this text gives it a number", hint)
         for name, shown in loose.items():
             if shown not in fixed and re.search(rf"(?<![\d.]){re.escape(shown)}", text):
                 message = f"this text says {shown}, which is {name} in the file and another number in a variant"
                 yield Finding(where, message, f"write {name}", is_warning=True)
+
+
+def _is_zero_pose(number: str, exercise: Exercise) -> bool:
+    """Whether a number tells of the pose at zero, as tasks do, `theta1 = theta2 = 0`, and is none of those drawn."""
+    return not number.strip("-−0.") and not any(in_floats(v) == 0 for v in exercise.given.values())  # noqa: RUF001
 
 
 def findings(judge: Judge) -> Iterator[Finding]:

@@ -62,7 +62,7 @@ def canonical(name: str) -> str:
     text = text.replace("\\", "")
     stem, _, subscript = text.partition("_")
     stem = _VARIANTS.get(stem, stem)
-    subscript = subscript.strip("{}").replace(" ", "")
+    subscript = subscript.strip("{}").replace(" ", "").replace("−", "-").replace("–", "-")
     if not subscript:
         return stem
     if subscript.isdigit():

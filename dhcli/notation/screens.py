@@ -21,6 +21,9 @@ _DISPLAY = regex(
 )
 """What sets a formula apart and is no part of it; a `\\[2pt]` at the end of a row is."""
 
+_INDEX_IN_BRACKETS = regex(r"(?<=\w)_\(([\w+−-]{1,9})\)")  # noqa: RUF001
+_TIMES_TEN = regex(r"(?<=[\d.]) ?[xX] ?(?=10 ?(?:\^|\*\*|[⁻⁰¹²³⁴-⁹]))")
+"""`8.66 x 10^-3`."""
 _NUMBER_OF_EQUATION = regex(r"\\q?quad\s{0,9}\([0-9]{1,3}\.[0-9]{1,3}\)\s{0,99}$")
 _ROWS_OF_EQUATIONS = regex(r"^\s*\\begin\{array\}\s*\{[rcl ]{1,9}\}|\\end\{array\}\s*$")
 _HEADING = regex(
@@ -65,6 +68,10 @@ def plain(text: str) -> str:
         text = _DISPLAY.sub(" ", text)
     if "seen from frame" in text or "let k" in text:
         text = _for_people(text)
+    if "_(" in text:
+        text = _INDEX_IN_BRACKETS.sub(r"_{\1}", text)
+    if "10" in text:
+        text = _TIMES_TEN.sub("*", text)
     if "^{*}" in text:
         text = text.replace("^{*}", "*")
     text = _NUMBER_OF_EQUATION.sub("", text)

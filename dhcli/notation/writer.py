@@ -7,6 +7,7 @@ spelling. `short` is the textbook's `c1*(a2*c2 + a3*c23)`, `full` spells out `co
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 
 from dhcli.errors import NotationError
@@ -147,12 +148,17 @@ class _Writer:
         if not below:
             return sign + top, PRODUCT
         if self.style.latex:
-            if len(above) == 1 and type(rest) is Product:  # a sum alone above the line needs no brackets
-                sums = [factor for factor in rest.factors if type(factor) is Sum]
-                top = self.expression(sums[0]) if above == [self.bracketed(one, PRODUCT) for one in sums] else top
-            return rf"{sign}\frac{{{top}}}{{{self.style.times.join(below)}}}", PRODUCT
+            factors = rest.factors if type(rest) is Product else (rest,)
+            lower = [factor.base for factor in factors if type(factor) is Power]
+            return rf"{sign}\frac{{{self.stacked(above, factors)}}}{{{self.stacked(below, lower)}}}", PRODUCT
         bottom = below[0] if len(below) == 1 else f"({self.style.times.join(below)})"
         return f"{sign}{top}/{bottom}", PRODUCT
+
+    def stacked(self, texts: Sequence[str], factors: Sequence[Expr]) -> str:
+        """What stands above or below a line: a sum alone needs no brackets there."""
+        sums = [factor for factor in factors if type(factor) is Sum]
+        alone = len(texts) == 1 and list(texts) == [self.bracketed(one, PRODUCT) for one in sums]
+        return self.expression(sums[0]) if alone else self.style.times.join(texts) or "1"
 
     def fraction(self, value: Fraction, places: int | None, factors: list[Expr]) -> tuple[list[str], list[str]]:
         """What stands above and below the fraction bar."""

@@ -11,7 +11,7 @@ from dhcli.geometry.vectors import Vector, cross, dot, scaled
 from dhcli.scene.camera import Camera
 from dhcli.scene.primitives import Ball, Drum, Face, Scene, Solid
 from dhcli.scene.shapes import Shape, hull, ring
-from dhcli.scene.vectors import add, along, norm, sub, unit
+from dhcli.scene.vectors import add, along, centroid, norm, sub, unit
 
 RIM = 32
 """Corners of the rim of a drum."""
@@ -214,10 +214,7 @@ def body_of(scene: Scene, solid: Solid) -> Body:
     """A solid of a scene in the world."""
     if isinstance(solid, Face):
         corners = tuple(scene.point(corner) for corner in solid.corners)
-        middle = scaled(
-            (sum(c[0] for c in corners), sum(c[1] for c in corners), sum(c[2] for c in corners)), 1 / len(corners)
-        )
-        return Sheet(middle, corners, "ground-sheet" if solid.ground else "sheet")
+        return Sheet(centroid(corners), corners, "ground-sheet" if solid.ground else "sheet")
     centre = scene.point(solid.centre)
     if isinstance(solid, Ball):
         return Sphere(centre, solid.radius)

@@ -9,7 +9,7 @@ from dhcli.errors import plural
 from dhcli.geometry.vectors import ORIGIN, Vector, dot, scaled
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.pairs import LinkageError
-from dhcli.scene.vectors import norm, sub, unit
+from dhcli.scene.vectors import centroid, norm, sub, unit
 
 SAME = 1e-9
 """Points nearer than this part of the linkage's size are one."""
@@ -75,10 +75,7 @@ class Places:
         for link in joint.links:
             others = [o.point for o in self.linkage.joints if link in o.links and o is not joint and o.point]
             if others and (link != self.linkage.ground or not found):
-                middle = scaled(
-                    (sum(p[0] for p in others), sum(p[1] for p in others), sum(p[2] for p in others)), 1 / len(others)
-                )
-                found.append((len(others) + 10 * (link == self.linkage.ground), middle))
+                found.append((len(others) + 10 * (link == self.linkage.ground), centroid(others)))
         if joint.pair.name == "prismatic" and joint.axis and len(found) == 2 and max(n for n, _ in found) < 10:  # noqa: PLR2004
             (_, a), (_, b) = found
             return scaled((a[0] + b[0], a[1] + b[1], a[2] + b[2]), 0.5)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple, TypeAlias
 
 from dhcli.geometry.vectors import ORIGIN, Vector, cross, scaled
@@ -66,6 +67,11 @@ def across(axis: Vector) -> Vector:
     """Some direction of length one at right angles to an axis, always the same."""
     other: Vector = (1.0, 0.0, 0.0) if abs(axis[0]) < 0.6 * norm(axis) else (0.0, 1.0, 0.0)
     return unit(cross(axis, other))
+
+
+def centroid(points: Sequence[Vector]) -> Vector:
+    """The middle of some points."""
+    return scaled((sum(p[0] for p in points), sum(p[1] for p in points), sum(p[2] for p in points)), 1 / len(points))
 
 
 def middle(a: Vector, b: Vector) -> Vector:

@@ -204,7 +204,7 @@ def term_answers(judge: Judge, part: Part) -> dict[str, list[Callable[[], str]]]
                 for text, changed in maker(entry, among):
                     line = (*row[:c], changed, *row[c + 1 :])
                     grid = replace(right_grid, rows=(*right_grid.rows[:r], line, *right_grid.rows[r + 1 :]))
-                    about = f"{name} {question.place(r, c)} {text}"
+                    about = " ".join(filter(None, (name, question.place(r, c), text)))
                     found.setdefault(about, []).append(partial(question.text, case, grid))
     return found
 

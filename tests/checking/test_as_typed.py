@@ -16,6 +16,7 @@ from dhcli.files.yaml.exercises import load_exercise
 ARM, LINK = "yim/planar-two-links", "yim/dh-factors"
 FORMULAS, VALUES, REACH = "inverse/planar-joints", "inverse/planar-joints-in-numbers", "inverse/planar-reach"
 COUNTS, TABLE, JACOBIAN = "yim/counting-freedoms", "zhou/three-r-arm-tip", "motion/planar-jacobian"
+MODIFIED, SCARA, CHANGE = "zhou/modified-link-matrix", "motion/scara-jacobian", "motion/differential-motion"
 DOT = "\u2061"  # what Word has between a function and its argument
 
 
@@ -75,6 +76,28 @@ READ = [
         ("aᵢsθᵢ", "aᵢcθᵢ"),
     ),
     (LINK, "link", "ci -si*cαi si*sαi ai*ci; si ci*cαi -ci*sαi ai*si; 0 sαi cαi di; 0 0 0 1", ("ai*si", "ai*ci")),
+    *(
+        (MODIFIED, "corner", answer, ("a", "2a"))
+        for answer in ("ai-1", "a_i-1", "a(i-1)", "a_(i-1)", "a[i-1]", "aᵢ₋₁", "a_{i−1}", "a_i−1")
+    ),
+    (
+        MODIFIED,
+        "matrix",
+        "cθi -sθi 0 ai-1; sθicαi-1 cθicαi-1 -sαi-1 -disαi-1; sθisαi-1 cθisαi-1 cαi-1 dicαi-1; 0 0 0 1",
+        ("dicαi-1", "disαi-1"),
+    ),
+    *(
+        (SCARA, "first", answer, ("l3", "l2"))
+        for answer in (
+            "-l2 c1 - l3 c12\n-l2 s1 - l3 s12\n0\n0\n0\n1",
+            "-l2 c1 - l3 c12; -l2 s1 - l3 s12; 0; 0; 0; 1",
+            r"\begin{bmatrix} -l_2 c_1 - l3 c_{12} \\ -l_2 s_1 - l3 s_{12} \\ 0 \\ 0 \\ 0 \\ 1 \end{bmatrix}",
+            "v = (-l2c1-l3c12, -l2s1-l3s12, 0), ω = (0, 0, 1)",
+            "-l2c1-l3c12, -l2s1-l3s12, 0\n0, 0, 1",
+        )
+    ),
+    (CHANGE, "base", "-8.66x10^-3, -5x10^-3, 0, -4.062 x 10⁻³; 0,0,10^-2,0; 0,0,0,10^-3; 0,0,0,0", ("-4", "-6")),
+    *(("yim/scara-in-numbers", "turn", f"{about}60°", ("60", "61")) for about in ("ca. ", "about ", "~", "≈ ")),
     (FORMULAS, "elbow", "±cos⁻¹((px²+py²-a1²-a2²)/(2a1a2))", ("-a2²", "+a2²")),
     (FORMULAS, "elbow", "±ACOS((px^2+py^2-a1^2-a2^2)/(2*a1*a2))", ("-a2^2", "+a2^2")),
     (FORMULAS, "elbow", "±arccos((pₓ² + p_y² − a₁² − a₂²)/(2·a₁·a₂))", ("2·a", "3·a")),

@@ -24,7 +24,7 @@ from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
 from tests.judging import expected, hidden, judge_of, mark, vary
-from tests.nightly import NIGHT, examples
+from tests.nightly import NIGHT, examples, in_turn
 
 VARIED = ("yim/planar-in-numbers", "yim/scara-in-numbers", "yim/stanford-in-numbers", "zhou/three-r-arm-tip-in-numbers")
 SEEDS = [str(number) for number in range(1, 41 if NIGHT else 10)]
@@ -167,7 +167,7 @@ def test_joints_that_add_up_to_a_right_angle_are_never_drawn() -> None:
 @varied
 def test_no_mistake_hides_behind_a_draw(name: str) -> None:
     """Every mistake that some student of fifty could be caught at, all of them can."""
-    found = [hides(variant(name, seed)) for seed in FIFTY]
+    found = [hides(variant(name, seed)) for seed in in_turn(FIFTY, 0, 2)]
     assert set(found) == {frozenset.intersection(*found)}
 
 

@@ -472,5 +472,13 @@ def test_a_matrix_of_four_decimals_is_reached_by_an_arm_of_few_joints(dhcli: Run
     assert "1 solution\n" in done.out
     assert "17.1878°" in done.out
     assert "the arm takes no pose with exactly these digits; the nearest is taken" in done.err
-    for other in (f"{TYPED} * Trans(0,0,0)", TYPED.replace("0.4908", "490.8 mm")):
+    for other in (f"{TYPED} * Trans(0,0,0)", TYPED.replace("0.4908", "490.8 mm"), TYPED.replace("0.4908", "4.908e-1")):
         assert dhcli("ik", "zhou-3r", "--target", other).code == 1
+
+
+@pytest.mark.parametrize("height", ["0.2", "0.01", "0.001", "0.0005"])
+def test_few_decimals_of_lengths_beside_a_plain_rotation_are_exact(dhcli: Run, height: str) -> None:
+    """Nobody rounds 0.5; the hand of the planar arm stays where it is."""
+    done = dhcli("ik", "planar-2r", "--task", "pose", "--target", f"[0 -1 0 0.4; 1 0 0 0.3; 0 0 1 {height}; 0 0 0 1]")
+    assert done.code == 1
+    assert f"z must be 0 m, is {height} m" in done.out

@@ -76,6 +76,18 @@ def test_why_names_the_slip_behind_the_last_answer(tmp_path: Path) -> None:
         assert screen.end() == 1
 
 
+def test_behind_a_choice_no_slip_is_looked_for(tmp_path: Path) -> None:
+    """Which is said, and that there are hints; it is not said that none was found."""
+    with Terminal(tmp_path, "check", PLANAR, "--part", "blocks") as screen:
+        screen.until("blocks> ")
+        screen.type("3\n")
+        screen.until("blocks> ")
+        screen.type("why\n")
+        assert "why: no slip is looked for behind such an answer; hint helps on" in screen.until("blocks> ")
+        screen.type("\x04")
+        screen.end()
+
+
 def test_half_the_credit_is_told_where_only_the_unit_is_another(tmp_path: Path) -> None:
     """Behind the name of the part, as `check` tells it."""
     with Terminal(tmp_path, "check", "scara-pose-in-mm", "--part", "tip") as screen:

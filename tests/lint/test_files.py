@@ -211,6 +211,17 @@ poses:
 """
 
 
+@pytest.mark.parametrize(("key", "message"), [("Parts", "Parts: unknown key"), ("questions", "questions: unknown key")])
+def test_an_exercise_is_one_also_where_its_parts_are_called_otherwise(tmp_path: Path, key: str, message: str) -> None:
+    """And no robot without variables."""
+    told = findings(tmp_path, DRAFT.replace("parts:", f"{key}:"))
+    assert ("10:1", message, "did you mean parts?") in [(one.at, one.message, one.hint) for one in told]
+    assert not [one for one in told if one.at == "1:1"]
+    without = DRAFT[: DRAFT.index("parts:")] + DRAFT[DRAFT.index("tests:") :]
+    assert "parts: is missing" in [one.message for one in findings(tmp_path, without)]
+    assert not [one for one in findings(tmp_path, without) if "has no part" in one.message]
+
+
 def test_a_slip_in_a_table_hides_nothing_that_stands_beside_it(tmp_path: Path) -> None:
     """Lengths, parameters, limits and poses are looked at, as far as they do not follow from the slip."""
     told = [(one.at, one.message) for one in findings(tmp_path, ARM)]

@@ -58,10 +58,23 @@ def test_a_text_that_gives_a_drawn_number_away_is_told(broken: Broken, tmp_path:
     assert_told(tmp_path, CLEAN, broken)
 
 
-@pytest.mark.parametrize("text", ["Find theta1 + theta2 = phi.", "Link 1 = 0.4 m.", "135° and 35.5", "q = theta1"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        *("Find theta1 + theta2 = phi.", "Link 1 = 0.4 m.", "135° and 35.5", "q = theta1"),
+        "At joint zero, theta1 = theta2 = 0, the arm is stretched out.",
+        "At θ2 = 0.0° it is straight.",
+    ],
+)
 def test_other_numbers_in_a_text_are_left_alone(text: str, tmp_path: Path) -> None:
     """They do not vary."""
     assert findings(tmp_path, CLEAN.replace("Find the end.", text)) == []
+
+
+def test_a_zero_that_is_drawn_is_told_in_a_text(tmp_path: Path) -> None:
+    """The text says where the arm stands then, and not how its zero is counted."""
+    text = CLEAN.replace("theta1: 35°,", "theta1: 0,").replace("Find the end.", "Find the end at theta1 = 0.")
+    assert any(NUMBER in repr(found) for found in findings(tmp_path, text))
 
 
 def test_a_draw_outside_the_limits_of_a_joint_is_told(tmp_path: Path) -> None:

@@ -89,6 +89,8 @@ def test_twice_negated_is_the_same(expr: Expr) -> None:
         ("c1*s23", "numpy", "np.cos(theta1)*np.sin(theta2+theta3)"),
         ("c1*s23", "sympy", "cos(theta1)*sin(theta2+theta3)"),
         ("a1^2/(2b)", "latex", r"\frac{a_{1}^{2}}{2 b}"),
+        ("-(a1 + a2)/(d1 + d2)", "latex", r"-\frac{a_{1} + a_{2}}{d_{1} + d_{2}}"),
+        ("(a1 + a2)*(d1 + d2)/3", "latex", r"\frac{\left(a_{1} + a_{2}\right) \left(d_{1} + d_{2}\right)}{3}"),
         ("a1^2/(2b)", "numpy", "a1**2/(2*b)"),
         ("a1^2/(2b)", "matlab", "a1^2/(2*b)"),
         ("√3/2", "latex", r"\frac{\sqrt{3}}{2}"),

@@ -49,7 +49,7 @@ class WrongEntry:
     """An entry that is wrong.
 
     Attributes:
-        place: Row and column as they are told, `2,4`.
+        place: Row and column as they are told, `2,4`; empty where there is but one.
         right: The right entry.
         is_given_by: Whether an expression gives what was typed.
     """
@@ -115,7 +115,22 @@ def _slips_in(entry: WrongEntry, among: Among, kinds: frozenset[str]) -> Iterato
 
 def _slip(found: tuple[str, str], place: str) -> Slip:
     name, text = found
-    return slip_of(BY_ID[name], f"{place} {text}")
+    return slip_of(BY_ID[name], f"{place} {text}") if place else slip_in(name, text, "the answer")
+
+
+def slip_in(kind: str, text: str, shown: str, name: str = "") -> Slip:
+    """A slip in the terms of what is no entry of a matrix.
+
+    Args:
+        kind: Name of the mistake.
+        text: What it is about, such as `c2 for c12`.
+        shown: What stands for the entry in its words.
+        name: What stands for the place in its name.
+    """
+    mistake = BY_ID[kind]
+    words = mistake.words.replace("entry ({entry})", shown).format(term=text)
+    hint = mistake.hint.replace("row {row}", shown)
+    return Slip(" ".join(filter(None, (kind, name, text))), words, hint, mistake.rank)
 
 
 def _in_all(found: Sequence[tuple[str, Found]]) -> Causes:

@@ -4,13 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import NotationError, nearest
 from dhcli.regex import regex
 
-_FRAMES = regex(r"(?:\b[Tt]_?|\bpose\s+)\{?([0-9]{1,2})\s*(?:to|-|–|→|,|;|\.{1,3}|)\s*([0-9]{1,2})\}?(?![\w.])")  # noqa: RUF001
-"""`T02`, `T_{02}`, `pose 0-2` and `pose 0 to 2`, which all are `pose 0..2`."""
-_TWO_DIGITS = regex(r"(?:\b[Tt]_?\{?|\bpose\s+)([0-9])([0-9])\}?(?![\w.])")
-_LINK = regex(r"\bA_?\{?([0-9]{1,2})\}?(?![\w.])")
+_SPELLINGS = (
+    (regex(r"(?:\b[Tt]_?\{?|\bpose\s+)([0-9])([0-9])\}?(?![\w.])"), r"pose \1..\2"),
+    (
+        regex(r"(?:\b[Tt]_?|\bpose\s+)\{?([0-9]{1,2})\s*(?:to|-|–|→|,|;|\.{1,3}|)\s*([0-9]{1,2})\}?(?![\w.])"),  # noqa: RUF001
+        r"pose \1..\2",
+    ),
+    (regex(r"(?:\blink\s+)?\bA_?\{?([0-9]{1,2})\}?(?![\w.])"), r"link \1"),
+    (regex(r"\bentry\s*\(?([0-9])\s*,?\s*([0-9])\)?(?=\s)"), r"entry \1 \2"),
+    (regex(r"\bproduct\s+([^\"\s][^\"]*)"), r'product "\1"'),
+)
+"""`T02`, `T_{02}`, `pose 0-2` and `pose 0 to 2` are `pose 0..2`, `A_2` is `link 2`, `entry (1, 4)` is `entry 1 4`."""
 
 _CALLED = {
     "dh": "table standard",
@@ -44,7 +52,9 @@ def hint_for(text: str, unknown: str, examples: Sequence[str], read: Callable[[s
         examples: How each kind of question is asked.
         read: Reads a question, and raises where there is none.
     """
-    spelled = _LINK.sub(r"link \1", _FRAMES.sub(r"pose \1..\2", _TWO_DIGITS.sub(r"pose \1..\2", text)))
+    spelled = text
+    for spelling, written in _SPELLINGS:
+        spelled = spelling.sub(written, spelled)
     if spelled != text and _is_read(spelled, read):
         return f"write {spelled}"
     words = unknown.lower().split()
@@ -60,6 +70,6 @@ def hint_for(text: str, unknown: str, examples: Sequence[str], read: Callable[[s
 def _is_read(text: str, read: Callable[[str], object]) -> bool:
     try:
         read(text)
-    except NotationError:
+    except (NotationError, NotAskedError):
         return False
     return True

@@ -74,13 +74,26 @@ def read_question(text: str, scope: Scope, place: Place | None = None) -> Questi
     text = text.strip()
     if len(text) > LONGEST:
         raise NotationError(Problem(f"a question of more than {LONGEST} characters is not read", place))
+    try:
+        return _asked(text, scope, place)
+    except NotAskedError as error:
+        raise _unknown(text, error.text, scope, place) from None
+
+
+def _asked(text: str, scope: Scope, place: Place | None = None) -> Question[Any]:
+    """The question of a text.
+
+    Raises:
+        NotAskedError: It asks nothing that is known.
+        NotationError: A part of it cannot be read.
+    """
     unknown = text
     for kind in _kinds(text.split(None, 2)) or [MatrixQuestion]:  # `0..3` is a pose, too
         try:
             return kind.asked(text, scope, place)
         except NotAskedError as error:  # `entry 1 2` may be of a pose, or of a Jacobian
             unknown = error.text
-    raise _unknown(text, unknown, scope, place)
+    raise NotAskedError(unknown)
 
 
 def examples() -> tuple[str, ...]:
@@ -110,12 +123,14 @@ def _imported(name: str) -> type[Question[Any]]:
 
 
 def _unknown(asked: str, text: str, scope: Scope, place: Place | None) -> NotationError:
+    from dhcli.checking.kinds.meant import hint_for  # most questions are known
+
+    hint = hint_for(asked, text, examples(), lambda other: _asked(other, scope))
+    if hint.startswith("write "):
+        return NotationError(Problem(f"'{text:.60}' asks nothing that is known", place, hint))
     if text.startswith("entry 4") and "jacobian" not in text:
         return NotationError(Problem("the bottom row of a pose is 0 0 0 1 for everybody", place, "ask for rows 1 to 3"))
     kind, *numbers = text.split()[:3] or [""]
     if kind == "entry" and "jacobian" not in text and not {*numbers} <= {"1", "2", "3", "4"}:
         return NotationError(Problem("a pose has four rows and four columns", place, "ask for entry 1 4 of pose 0..3"))
-    from dhcli.checking.kinds.meant import hint_for  # most questions are known
-
-    hint = hint_for(asked, text, examples(), lambda other: read_question(other, scope))
     return NotationError(Problem(f"'{text:.60}' asks nothing that is known", place, hint))

@@ -115,7 +115,7 @@ class SingularQuestion(JacobianTask, Question[Conditions]):
         special = [one for one in given if one not in half and any(covers(other, one, robot) for other in wanted)]
         wrong = [one for one in given if one not in half and one not in special]
         is_right = len(named) == len(wanted) and not wrong and not half
-        remarks = [f"{len(named)} of {len(wanted)} are right"] if not is_right and wanted else []
+        remarks = [f"{len(named)} of {len(wanted)} {are(len(named))} right"] if not is_right and wanted else []
         if wrong:
             remarks.append(f"the rank need not fall where {self._text(case, wrong)}")
         if half:

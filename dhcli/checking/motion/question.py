@@ -301,3 +301,7 @@ class OneNumberQuestion(MotionQuestion):
     def in_rows(self) -> bool:
         """There is but one."""
         return False
+
+    def place(self, _row: int, _column: int) -> str:
+        """There is but one."""
+        return ""

@@ -9,10 +9,10 @@ from fractions import Fraction
 from dhcli.checking.blanks import refuse_one_expression
 from dhcli.checking.entries import LARGEST, Entries, Entry, check_names, count_remark
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.lists import in_square_brackets
+from dhcli.checking.lists import flat, in_square_brackets
 from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, without_label
 from dhcli.checking.units import has_length_unit, length_in_metres
-from dhcli.checking.vectors import LENGTHS, as_column
+from dhcli.checking.vectors import LENGTHS, as_column, column_of_rows
 from dhcli.errors import NotationError, Place
 from dhcli.notation.commas import comma_remark
 from dhcli.notation.matrix import Cell, parse_matrix
@@ -131,8 +131,15 @@ def _bracketed(body: str, shape: tuple[int, int], scope: Scope) -> str:
         body = in_square_brackets(_NAMED.sub(r"\1", body).strip())
         if shape[0] == LENGTHS[0]:
             return as_column(body, scope, is_axis=False)
+        if body.count(";") + body.count("\\\\") + body.count("\n") >= shape[0] - 1 and (
+            rows := column_of_rows(body, (shape[0],))
+        ):
+            return rows
+        body = flat(body) if shape[0] > LENGTHS[0] else body
         if "," in body and ";" not in body:
-            body = body.replace("\n", " ")
+            lines = [line.strip(" ,") for line in body.split("\n") if line.strip()]
+            whole = ", ".join(lines).count(",") == shape[0] - 1
+            body = ", ".join(lines) if whole else body.replace("\n", " ")
         return body if body.startswith(("[", "{", "\\", "|")) else f"[{body}]"
     return body
 

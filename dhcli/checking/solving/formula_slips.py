@@ -7,9 +7,9 @@ from contextlib import suppress
 from itertools import combinations, islice
 
 from dhcli.algebra.points import draws
-from dhcli.checking.diagnosis.mistakes import BY_ID
+from dhcli.checking.diagnosis.by_entry import slip_in
 from dhcli.checking.diagnosis.mistakes.in_terms import TERM_MAKERS, Among
-from dhcli.checking.diagnosis.result import Rank, Slip
+from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.terms import functions, lengths
 from dhcli.checking.solving.covering import Asked, Case, Known
 from dhcli.checking.solving.derived import changed_step, with_other
@@ -89,13 +89,10 @@ def _changed(step: Step, robot: Robot, what: str) -> Iterator[tuple[Slip, Step]]
     among = Among(tuple(sorted(angles, key=natural_key)), tuple(letters), robot.writing)
     yield from _in_whole(step, exprs, letters, what)
     for kind, maker in TERM_MAKERS.items():
-        record = BY_ID[kind]
         for part in sums if kind in OF_SUMS else exprs:
             with suppress(ZeroDivisionError, OverflowError):
                 for text, other in maker(part, among):
-                    words = record.words.replace("entry ({entry})", f"the formula for {what}").format(term=text)
-                    hint = record.hint.replace("row {row}", f"the formula for {what}")
-                    yield Slip(f"{kind} {what} {text}", words, hint, Rank.SYMPTOM), with_other(step, part, other)
+                    yield slip_in(kind, text, f"the formula for {what}", what), with_other(step, part, other)
 
 
 def _in_whole(step: Step, exprs: Sequence[Expr], letters: Sequence[Symbol], what: str) -> Iterator[tuple[Slip, Step]]:

@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise, product
 from typing import TypeAlias
 
+from dhcli.checking.diagnosis.mistakes.turns import are_parallel
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case
 from dhcli.checking.orientations import transposed
@@ -105,12 +107,27 @@ def _mistakes(question: WantedJoints, case: Case, field: Range) -> Iterator[tupl
     """Every slip with the joint vectors it leads to, right ones among them."""
     yield from _of_formulas(question, case, field)
     yield from _of_pose(case, field)
+    yield from _absolute(field)
     wanted = question.wanted(case)
     others = [q for k, q in enumerate(field.solutions) if k not in wanted]
     if question.which == "branch":
         yield OTHER_BRANCH, others
     elif question.within_limits:
         yield OUTSIDE, others
+
+
+def _absolute(field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
+    """Angles that are those of the links themselves, not those to the link before."""
+    robot = field.robot
+    for one, two in pairwise(link.row for link in robot.links):
+        if one is None or two is None or not are_parallel(one, two, robot.convention):
+            continue
+        for before, name in product(one.theta.names, two.theta.names):
+            if before in field.joints and name in field.joints:
+                i, j = field.joints.index(before), field.joints.index(name)
+                words = f"{name} is counted from where {before} is, not from the link before"
+                slip = Slip(f"absolute-angle {name}", words, f"from which direction is {name} counted?")
+                yield slip, [(*q[:j], q[i] + q[j], *q[j + 1 :]) for q in field.solutions]
 
 
 def _of_formulas(question: WantedJoints, case: Case, field: Range) -> Iterator[tuple[Slip, list[Joints]]]:

@@ -44,6 +44,9 @@ _POINT = regex(
 _DECIMALS, _NOT_PLAIN = regex(r"\.([0-9]+)"), regex(r"[0-9] *(?:[mci]|e[-+]?[0-9])")
 """The decimals of a number; a number with a unit or a power of ten, whose decimals count otherwise."""
 
+_FEW = 3
+"""Decimals from which on a matrix may be meant to its digits only."""
+
 Rows = tuple[tuple[float, ...], ...]
 
 _IN_NUMBERS = "a pose to reach is in numbers; --derive gives the formulas in letters"
@@ -156,9 +159,17 @@ def _target(text: str, typed: str) -> tuple[Rows, tuple[str, ...], float]:
         _known([cast("Expr", entry) for row in pose.rows for entry in row], place)
         pose = pose.in_numbers()
     is_matrix = len(product.moves) == 1 and isinstance(product.moves[0], Fixed)
+    return cast("Pose[float]", pose).rows, product.remarks, _slack(text, product.remarks) if is_matrix else 0.0
+
+
+def _slack(text: str, remarks: Sequence[str]) -> float:
+    """Half a unit of the last decimal of a matrix that is rounded; 0 for one that is meant as it stands.
+
+    That it was rounded its rotation tells, which is one to its digits only; 0.5 and 0.125 beside plain ones are exact.
+    """
     decimals = max((len(found[1]) for found in _DECIMALS.finditer(text)), default=0)
-    slack = 0.5 * 10.0**-decimals if is_matrix and decimals and not _NOT_PLAIN.search(text) else 0.0
-    return cast("Pose[float]", pose).rows, product.remarks, slack
+    is_rounded = decimals >= (_FEW if remarks else _FEW + 1)
+    return 0.5 * 10.0**-decimals if is_rounded and not _NOT_PLAIN.search(text) else 0.0
 
 
 def _from_parts(goal: Goal, bare: Bare) -> Rows:

@@ -10,7 +10,7 @@ from dhcli.files.library.lookup import Kind, above, entries, full_id, similar
 from dhcli.files.reading import read_text
 
 _SIGNS = {
-    "parts:": Kind.EXERCISES,
+    **dict.fromkeys(("parts:", "task:", "tests:", "numeric:"), Kind.EXERCISES),
     **dict.fromkeys(("joints:", "chain:", "bars:", "loop:", "lambda:", "space:"), Kind.LINKAGES),
 }
 """Keys at the left of a file that tell what it is; a robot has none of them."""

@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 from enum import Enum
+from functools import lru_cache
 from pathlib import Path
 
 from dhcli.errors import UnknownNameError, did_you_mean, nearest
@@ -31,6 +32,8 @@ _SUFFIXES = (".yaml", ".yml")
 _PATHS = (*_SUFFIXES, ".urdf", ".xml", ".xacro", ".sdf", ".csv", ".tsv", ".md", ".m", ".py")
 """What the name of a file ends in, where it is no name of the library."""
 _PACKAGE = Path(__file__).parents[2]
+_path = lru_cache(1024)(Path)
+"""A path by its text: the same few are made, split and hashed for every name that is looked up."""
 
 
 class Kind(Enum):
@@ -74,7 +77,7 @@ def entries(kind: Kind) -> tuple[Entry, ...]:
     names: set[str] = set()
     for folder, origin in _folders(kind):
         for name, path in sorted(_files(folder, nested=kind is Kind.EXERCISES)):
-            found.append(Entry(name, Path(path), origin, shadowed=name in names))
+            found.append(Entry(name, _path(path), origin, shadowed=name in names))
             names.add(name)
     return tuple(found)
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import FileError, Problem, plural
 from dhcli.files.urdf.chains import chain_of
-from dhcli.files.urdf.model import Joint, read_model
+from dhcli.files.urdf.model import Joint, Mimic, read_model
 from dhcli.files.urdf.numbers import Meaning
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans
@@ -44,7 +45,34 @@ def read_urdf(
     model = read_model(text, source)
     joints = chain_of(model, base, tip)
     said = f"the URDF {source}, from link {joints[0].parent} to link {joints[-1].child}"
-    return robot_of_joints(joints, name, model.name or name, said, as_typed=as_typed)
+    beside = frozenset(joint.name for joint in model.joints).difference(joint.name for joint in joints)
+    own, alone = _with_leaders(joints, beside)
+    robot = robot_of_joints(own, name, model.name or name, said, as_typed=as_typed)
+    return replace(robot, remarks=(*robot.remarks, *alone))
+
+
+def _with_leaders(joints: tuple[Joint, ...], beside: frozenset[str]) -> tuple[tuple[Joint, ...], list[str]]:
+    """A chain of which no joint follows one beside it, and what was changed for that.
+
+    The first that follows such a joint, as one finger of a hand follows the other, has a variable of its own, and
+    others that follow the same one follow it.
+    """
+    own, told, leaders = list[Joint](), list[str](), dict[tuple[str, str], tuple[Joint, Mimic]]()
+    for joint in joints:
+        mimic = joint.mimic
+        if mimic is None or mimic.joint not in beside:
+            own.append(joint)
+        elif (joint.kind, mimic.joint) in leaders:
+            leader, way = leaders[joint.kind, mimic.joint]
+            share = Fraction(mimic.multiplier) / Fraction(way.multiplier)
+            offset = Fraction(mimic.offset) - share * Fraction(way.offset)
+            own.append(replace(joint, mimic=Mimic(leader.name, str(share), str(offset))))
+        else:
+            if Fraction(mimic.multiplier):
+                leaders[joint.kind, mimic.joint] = joint, mimic
+            own.append(replace(joint, mimic=None))
+            told.append(f"{joint.name} follows {mimic.joint}, which is not on this chain: it has a variable of its own")
+    return tuple(own), told
 
 
 def robot_of_joints(joints: tuple[Joint, ...], name: str, title: str, source: str, *, as_typed: bool) -> Robot:

@@ -6,30 +6,16 @@ unknown or of the wrong kind is noted and an empty value handed out, so that the
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping, Sequence
-from itertools import accumulate
+from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
 from dhcli.errors import DhcliError, FileError, Place, Problem
-from dhcli.files.reading import source_of
 from dhcli.files.yaml.cut import is_piece, tell
+from dhcli.files.yaml.heads import FORMAT, check_format, check_kind
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
-from dhcli.files.yaml.slips import entries_of, items_of, with_equals
+from dhcli.files.yaml.slips import entries_of, hint_for_brackets, items_of, node_kind, with_equals
 from dhcli.files.yaml.unknown import OWN, hint_for, meant
 from dhcli.frozen import frozen
-from dhcli.notation.brackets import OPENING, STEPS
-from dhcli.safe import yaml_scalar
-
-FORMAT = 1
-_KINDS = (
-    (("answers",), "an answer sheet", "dhcli check {exercise} {file} judges it"),
-    (("parts",), "an exercise", "dhcli start {file} writes a sheet for it"),
-    (("frames",), "a list of frames", "dhcli check ROBOT --frames {file} judges it"),
-    (("variables",), "a robot", "dhcli show {file} shows it"),
-    (("joints", "chain", "bars", "loop", "lambda", "space"), "a linkage", "dhcli dof {file} counts its freedoms"),
-)
-"""What tells one kind of file from the others: keys of which no other kind has one, and what it is good for."""
 
 LISTED = "[a, b] or lines that begin with '- '"
 
@@ -81,8 +67,8 @@ class Problems:
         if isinstance(root, PlacedMapping):
             for key, value in root.entries:
                 if key.text == "format":
-                    _check_format(value)
-            _check_kind(root, known)
+                    check_format(value)
+            check_kind(root, known)
         example = "format: 1 and other 'key: value' lines; dhcli new writes a file to start from"
         means = required if isinstance(required, Mapping) else {}
         wanted = {"format": f"format: {FORMAT}", **dict.fromkeys(required, ""), **means}
@@ -171,7 +157,7 @@ class Problems:
         if isinstance(node, PlacedScalar) and node.text.strip():
             return node
         should = "is empty" if isinstance(node, PlacedScalar) else f"should be a text, is {node_kind(node)}"
-        self.add(node.place, f"{what}: {should}", "" if isinstance(node, PlacedScalar) else _hint_for_brackets(node))
+        self.add(node.place, f"{what}: {should}", "" if isinstance(node, PlacedScalar) else hint_for_brackets(node))
         return None
 
 
@@ -231,56 +217,8 @@ class Fields:
         return self.problems.mapping(node, key, known=known, required=required, example=example)
 
 
-def node_kind(node: PlacedNode) -> str:
-    """What a node is, for a message: `a list`, `a mapping`, `a text`, `empty`."""
-    if isinstance(node, PlacedScalar):
-        return "a text" if node.text or node.quoted else "empty"
-    return "a list" if isinstance(node, PlacedSequence) else "a mapping"
-
-
 def _cut_off(value: PlacedNode, key: PlacedScalar) -> PlacedScalar | None:
     """The value before an unknown key, if that is no key and a comma has cut it off the value; else None."""
     if not isinstance(value, PlacedScalar) or not value.text or value.quoted or key.quoted:
         return None
     return value if is_piece(key.text, key.place) and ":" not in key.text else None
-
-
-def _check_kind(root: PlacedMapping, known: Sequence[str]) -> None:
-    """Make sure that a file has no key that tells another kind than the one wanted, and none that tells that one."""
-    found = {key.text: (key, value) for key, value in root.entries}
-    wanted = next((noun for signs, noun, _ in _KINDS if signs[0] in known), "")
-    if not wanted or any(sign in found for signs, noun, _ in _KINDS if noun == wanted for sign in signs):
-        return
-    for signs, noun, use in _KINDS:
-        sign = next((sign for sign in signs if sign in found and sign not in known), "")
-        if sign:
-            _, exercise = found.get("exercise", (None, None))
-            named = exercise.text if isinstance(exercise, PlacedScalar) and exercise.text else "EXERCISE"
-            place = found[sign][0].place
-            file = "-" if place.source == source_of("-") else place.source
-            hint = use.format(exercise=named, file=file)
-            raise FileError(Problem(f"this is {noun}, and {wanted} is wanted", place, hint))
-
-
-def _check_format(value: PlacedNode) -> None:
-    """Refuse a file of another format at once."""
-    text = value.text if isinstance(value, PlacedScalar) else node_kind(value)
-    if text == str(FORMAT):
-        return
-    if re.fullmatch("[1-9][0-9]*", text, re.ASCII):
-        message = f"format {text} needs a newer dhcli; this one reads format {FORMAT}"
-        problem = Problem(message, value.place, "pip install --upgrade dhcli")
-    else:
-        problem = Problem(f"format: should be {FORMAT}, is '{text}'", value.place)
-    raise FileError(problem)
-
-
-def _hint_for_brackets(node: PlacedNode) -> str:
-    """What makes a text of a list or a mapping: quotes, where it stands in brackets on one line."""
-    text = node.place.text[(node.place.column or 1) - 1 :]
-    if text[:1] not in OPENING:
-        return "write one line, or several behind |"
-    depths = accumulate(STEPS.get(letter, 0) for letter in text)
-    end = next((k for k, depth in enumerate(depths, 1) if not depth), 0)
-    shown = f": {yaml_scalar(text[:end])}" if end else ""
-    return f"text that begins with a bracket needs quotes{shown}"

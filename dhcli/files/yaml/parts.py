@@ -83,23 +83,20 @@ class PartReader:
         self.check_id(fields, name, depends)
         ask = fields.scalar("ask")
         question = self.question(fields, ask) if ask is not None and name else None
-        if question is None:
-            return None
         credit, shares = read_credit(fields, self.shares)
-        return Part(
-            id=name,
-            question=question,
-            prompt=fields.text("prompt"),
-            credit=credit,
-            shares=shares,
-            withdrawn=fields.text("withdrawn"),
-            depends=depends,
-            hints=read_texts(fields, "hints"),
-            tolerance=self.own_tolerance(fields),
-            compare=self.compare(fields),
-            printed=self.printed.get(name),
-            index=index,
-        )
+        rest: dict[str, Any] = {
+            "prompt": fields.text("prompt"),
+            "credit": credit,
+            "shares": shares,
+            "withdrawn": fields.text("withdrawn"),
+            "depends": depends,
+            "hints": read_texts(fields, "hints"),
+            "tolerance": self.own_tolerance(fields),
+            "compare": self.compare(fields),
+            "printed": self.printed.get(name),
+            "index": index,
+        }
+        return None if question is None else Part(name, question, **rest)
 
     def check_id(self, fields: Fields, name: str, depends: tuple[str, ...]) -> None:
         """Make sure that an id can be typed and is the only one, and that a part builds on what stands before it."""

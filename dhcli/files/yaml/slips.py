@@ -7,17 +7,36 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from itertools import accumulate
 from typing import TypeAlias
 
 from dhcli.files.yaml.cut import is_piece
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
-from dhcli.notation.brackets import split
+from dhcli.notation.brackets import OPENING, STEPS, split
 from dhcli.safe import yaml_scalar
 
 Entry: TypeAlias = tuple[PlacedScalar, PlacedNode]
 
 LONGEST_SHOWN = 100
 """Characters of a list or a mapping that a hint shows."""
+
+
+def node_kind(node: PlacedNode) -> str:
+    """What a node is, for a message: `a list`, `a mapping`, `a text`, `empty`."""
+    if isinstance(node, PlacedScalar):
+        return "a text" if node.text or node.quoted else "empty"
+    return "a list" if isinstance(node, PlacedSequence) else "a mapping"
+
+
+def hint_for_brackets(node: PlacedNode) -> str:
+    """What makes a text of a list or a mapping: quotes, where it stands in brackets on one line."""
+    text = node.place.text[(node.place.column or 1) - 1 :]
+    if text[:1] not in OPENING:
+        return "write one line, or several behind |"
+    depths = accumulate(STEPS.get(letter, 0) for letter in text)
+    end = next((k for k, depth in enumerate(depths, 1) if not depth), 0)
+    shown = f": {yaml_scalar(text[:end])}" if end else ""
+    return f"text that begins with a bracket needs quotes{shown}"
 
 
 def with_equals(key: PlacedScalar, value: PlacedNode) -> Entry | None:

@@ -12,6 +12,8 @@ OWN = "x-"
 
 OTHER_WORDS = {
     "question": "ask",
+    "questions": "parts",
+    "tasks": "parts",
     "text": "prompt",
     "marks": "credit",
     "points": "credit",

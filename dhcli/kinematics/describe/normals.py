@@ -66,8 +66,7 @@ def normal(first: Line, second: Line, near: Frame, ruler: Ruler, *, is_signed: b
     same = same_direction(u, v)
     if same:
         return _signed(_of_parallel(u, between, near, ruler, same), near, is_signed=is_signed)
-    sign = 1.0 if dot(u, v) >= 0 else -1.0
-    n = cross(u, (v[0] - sign * u[0], v[1] - sign * u[1], v[2] - sign * u[2]))
+    n = _across(u, v)
     n = scaled(n, 1 / length(n))
     start, end = _feet(first, second, ruler)
     apart = ruler.cleaned(along(between, n))
@@ -165,8 +164,7 @@ def _of_parallel(u: Vector, between: Point, near: Frame, ruler: Ruler, same: int
 def _feet(first: Line, second: Line, ruler: Ruler) -> tuple[Point, Point]:
     """The feet of the common normal of lines that are not parallel; a second round starts from those of the first."""
     u, v = first.direction, second.direction
-    sign = 1.0 if dot(u, v) >= 0 else -1.0
-    n = cross(u, (v[0] - sign * u[0], v[1] - sign * u[1], v[2] - sign * u[2]))
+    n = _across(u, v)
     square = dot(n, n)
     start, end = _through(first), _through(second)
     for _ in range(2):
@@ -175,6 +173,12 @@ def _feet(first: Line, second: Line, ruler: Ruler) -> tuple[Point, Point]:
         t = mapped(w, lambda vector: dot(cross(vector, u), n) / square)
         start, end = shifted(start, u, s), shifted(end, v, t)
     return ruler.cleaned_point(start), ruler.cleaned_point(end)
+
+
+def _across(u: Vector, v: Vector) -> Vector:
+    """Across two directions; by their difference, of which more digits are right where they are nearly parallel."""
+    sign = 1.0 if dot(u, v) >= 0 else -1.0
+    return cross(u, (v[0] - sign * u[0], v[1] - sign * u[1], v[2] - sign * u[2]))
 
 
 def _through(line: Line) -> Point:

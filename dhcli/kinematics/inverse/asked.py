@@ -139,7 +139,8 @@ def _solved(
     chosen = [j for j in ready.plan.held if j not in held]
     if not chosen:
         fixed = {j: np.array([value]) for j, value in held.items()}
-        return solve(ready, goal, best, fixed, tolerance), []
+        solved = solve(ready, goal, best, fixed, tolerance)
+        return solved if len(solved.motions) else _searched(question, goal, held, tolerance), []
     count = family or 1
     solved = solve(ready, goal, best, _sampled(question, held, chosen, best, count), tolerance)
     if not len(solved.motions) and family is None:
@@ -157,6 +158,16 @@ def _solved(
             solved = solve(ready, goal, motions, _sampled(question, held, chosen, motions, 1), tolerance)
     more = f"{question.robot.name} has {plural(ready.spare, 'joint')} more than this needs"
     return solved, [f"{more}: {_held_words(question, chosen, solved, family)}"]
+
+
+def _searched(question: Question, goal: Array, held: dict[int, float], tolerance: float) -> Solved:
+    """What a search for the nearest pose finds where that is the pose itself, as where too much of it is singular."""
+    from dhcli.kinematics.inverse.reasons import nearest_reachable  # not for the poses that are reached
+
+    ready = question.ready
+    motions, apart, angle = nearest_reachable(ready, goal, held)
+    begun = motions if max(apart / ready.arm.reach, angle) < REACHED else np.full_like(motions, np.nan)
+    return solve(ready, goal, question.best(), None, tolerance, begun)
 
 
 def _held_words(question: Question, chosen: list[int], solved: Solved, family: int | None) -> str:

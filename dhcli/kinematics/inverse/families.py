@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.frozen import frozen
+from dhcli.kinematics.inverse.matrices import eliminate
 from dhcli.kinematics.inverse.polishing import SINGULAR, jacobian, polished, product, residuals
 
 if TYPE_CHECKING:
@@ -78,11 +79,7 @@ def _reduced_from_left(rows: Array) -> Array:
         k = done + int(np.argmax(np.abs(rows[done:, column])))
         if abs(rows[k, column]) < 1e-4:  # noqa: PLR2004  of unit vectors
             continue
-        rows[[done, k]] = rows[[k, done]]
-        rows[done] /= rows[done, column]
-        for other in range(len(rows)):
-            if other != done:
-                rows[other] -= rows[other, column] * rows[done]
+        eliminate(rows, done, k, column)
         done += 1
     return rows
 

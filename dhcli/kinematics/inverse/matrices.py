@@ -95,6 +95,15 @@ def value_of(angle_or_length: Array, *, turns: bool) -> tuple[Array, Array]:
     return (np.cos(q), np.sin(q)) if turns else (q, 0.5 * q * q)
 
 
+def eliminate(rows: Array, i: int, k: int, pivot: int) -> None:
+    """Bring row k to place i, and make its pivot 1 and those of all other rows 0, in place."""
+    rows[[i, k]] = rows[[k, i]]
+    rows[i] /= rows[i, pivot]
+    for other in range(len(rows)):
+        if other != i:
+            rows[other] -= rows[other, pivot] * rows[i]
+
+
 def _reduced(rows: Array) -> Array:
     """The same space spanned by rows in echelon form, pivots chosen by size."""
     rows = rows.copy()
@@ -103,11 +112,7 @@ def _reduced(rows: Array) -> Array:
         weights = np.abs(rows[i:][:, free])
         at, column = np.unravel_index(int(np.argmax(weights)), weights.shape)
         pivot = free.pop(int(column))
-        rows[[i, i + int(at)]] = rows[[i + int(at), i]]
-        rows[i] /= rows[i, pivot]
-        for k in range(len(rows)):
-            if k != i:
-                rows[k] -= rows[k, pivot] * rows[i]
+        eliminate(rows, i, i + int(at), pivot)
     rows[np.abs(rows) < _CLEAN] = 0.0
     near = np.abs(np.abs(rows) - 1) < _CLEAN
     rows[near] = np.sign(rows[near])

@@ -11,8 +11,9 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.arm import nearest_turn
 from dhcli.kinematics.inverse.polishing import SINGULAR, jacobian, product, residuals
 from dhcli.kinematics.inverse.prepared import Prepared
+from dhcli.kinematics.inverse.rows import Rows
 from dhcli.kinematics.inverse.running import run
-from dhcli.kinematics.inverse.trying import CONFIRMED, Found
+from dhcli.kinematics.inverse.trying import CONFIRMED, Found, confirmed
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array, Flags, Ints
@@ -47,6 +48,7 @@ def solve(
     best: Array,
     held: Mapping[int, Array] | None = None,
     tolerance: float = CONFIRMED,
+    begun: Array | None = None,
 ) -> Solved:
     """All solutions of one pose.
 
@@ -56,11 +58,15 @@ def solve(
         best: Where a joint that is free should best stand, shape (n,).
         held: Motions of the joints that are held: one value, or several of which each gives solutions.
         tolerance: Residual up to which a candidate is a solution.
+        begun: Motions to begin with in the place of what the plan finds, shape (n,); joints held stand there.
     """
     plan, task, arm = ready.plan, ready.task, ready.arm
     held = held or {}
-    count = len(next(iter(held.values()))) if held else 1
-    found = run(plan, task, np.repeat(goal[None], count, axis=0), tries(ready, best), held, tolerance)
+    if begun is None:
+        count = len(next(iter(held.values()))) if held else 1
+        found = run(plan, task, np.repeat(goal[None], count, axis=0), tries(ready, best), held, tolerance)
+    else:
+        found = confirmed(plan, task, Rows.start(plan.actions, goal[None], {}), tolerance, begun[None])
     if not len(found.index):
         return Solved(np.empty((0, arm.joints)), np.empty(0), (), np.empty(0, dtype=int))
     kept, families = representatives(ready, found, least_singular(ready, found.motions))

@@ -145,9 +145,23 @@ def rates_at(
         rank,
         _full_rank(matrix, robot, values, view, part),
         damping,
-        tuple(tuple(map(float, row)) for row in right[rank:]),
+        tuple(tuple(map(float, row)) for row in _fewest(right[rank:])),
         view,
     )
+
+
+def _fewest(rows: Table) -> Table:
+    """Rows of unit length that span the same, each of them with a joint that none of the others moves."""
+    rows = rows.copy()
+    pivots: list[int] = []
+    for k in range(len(rows)):
+        pivots.append(int(np.abs(rows[k]).argmax()))
+        shares = rows[:, pivots[k]] / rows[k, pivots[k]]
+        shares[k] = 0
+        rows -= shares[:, None] * rows[k]
+    signs = np.sign(rows[np.arange(len(rows)), pivots])[:, None]
+    rows = rows[np.argsort(pivots)] * signs[np.argsort(pivots)]
+    return np.asarray(rows / np.linalg.norm(rows, axis=1, keepdims=True))
 
 
 def _full_rank(matrix: Table, robot: Robot, values: Values, view: MotionView, part: Which) -> int:

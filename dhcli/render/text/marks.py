@@ -31,6 +31,7 @@ _INKS = {
 }
 MOST_HINTS = 2
 NO_SLIP = "why: no slip that dhcli knows gives this answer"
+NOT_SOUGHT = "why: no slip is looked for behind such an answer; hint helps on"
 _INDENT = " " * 4
 _UNDER_ASKED = " " * 14
 """What stands below an answer, and below what is asked behind its verdict."""
@@ -132,7 +133,8 @@ def why_lines(one: PartMark | None, paper: Paper) -> list[str]:
     elif one.mark.diagnosis and one.mark.diagnosis.follows:
         said = list(one.mark.remarks[:1])
     else:
-        said = list(_why(one, named=True)) or list(one.mark.remarks[:1]) or [NO_SLIP]
+        none = NO_SLIP if one.part.question.is_explained else NOT_SOUGHT
+        said = list(_why(one, named=True)) or list(one.mark.remarks[:1]) or [none]
     return [line for text in said for line in prose_lines(paper.spell(text), paper)]
 
 

@@ -58,6 +58,7 @@ def test_each_slip_in_a_value_a_cell_or_a_move_is_named(name: str) -> None:
     [
         ("dh-factors", "order", "Rot(x, alpha_i) Trans(a_i,0,0) Trans(0,0,d_i) Rot(z, theta_i)", ("convention",)),
         ("dh-factors", "order", "Rot(z, theta_i) Trans(0,0,d_i) Rot(x, alpha_i)", ("factor-missing 3",)),
+        ("counting-freedoms", "gruebler", "lambda*(n - j) + f*j", ("term-forgotten 1",)),
         ("scara-home-pose", "factors", "Rot(z, theta2) Trans(0, l2, 0)", ("order-reversed",)),
         ("puma560-table", "upper", "a3", ("neighbour 4",)),
         ("puma560-table", "upper", "-a2", ("a-sign 3",)),

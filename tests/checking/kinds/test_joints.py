@@ -188,6 +188,15 @@ def test_the_branch_asked_for_counts() -> None:
     assert "elbow down" in other.remarks[0]
 
 
+@pytest.mark.parametrize("answer", ["2.4773°, 70.453°", "59.4502°, -8.5175°"])
+def test_an_angle_that_is_that_of_the_link_itself_has_a_name(answer: str) -> None:
+    """Theta1 + theta2 for theta2, on either branch."""
+    mark = judged(answer)
+    assert mark.verdict is Verdict.WRONG
+    assert mark.diagnosis is not None
+    assert mark.diagnosis.ids == ("absolute-angle theta2",)
+
+
 def test_a_set_earns_by_each_solution() -> None:
     """What is missing, what is none, and what stands there twice is named."""
     ask = f"{PLACE} all"

@@ -21,6 +21,7 @@ from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.values import joint_values
 from dhcli.notation.tree import Expr, Symbol, number
+from tests.nightly import paired
 
 MOTION = Path(__file__).parents[3] / "exercises" / "motion"
 
@@ -35,21 +36,21 @@ def asked(robot: str, ask: str, q: tuple[float, ...] | None) -> Judge:
 Q = (0.4, 0.7, -1.1)
 
 
-@pytest.mark.parametrize("q", [None, Q])
-@pytest.mark.parametrize(
-    ("ask", "pair"),
-    [
-        ("jacobian of 0..3", ("in-frame 3", "reference 2")),
-        ("jacobian of 0..3", ("in-frame 3", "angular-dropped")),
-        ("jacobian of 0..3", ("cross-reversed", "rows-swapped")),
-        ("jacobian linear of 0..3", ("origin-not-subtracted", "columns-reversed")),
-        ("jacobian linear of 0..3", ("joint-left-out theta1", "joint-left-out theta3")),
-        ("torques for (3, -2, 5) of 0..3", ("reference 2", "sign")),
-        ("joint rates for (0.1, 0.2, 0.3) of 0..3", ("in-frame 3", "transpose-for-inverse")),
-    ],
-)
-def test_two_slips_are_named_together(ask: str, pair: tuple[str, str], q: tuple[float, ...] | None) -> None:
+PAIRS = [
+    ("jacobian of 0..3", ("in-frame 3", "reference 2")),
+    ("jacobian of 0..3", ("in-frame 3", "angular-dropped")),
+    ("jacobian of 0..3", ("cross-reversed", "rows-swapped")),
+    ("jacobian linear of 0..3", ("origin-not-subtracted", "columns-reversed")),
+    ("jacobian linear of 0..3", ("joint-left-out theta1", "joint-left-out theta3")),
+    ("torques for (3, -2, 5) of 0..3", ("reference 2", "sign")),
+    ("joint rates for (0.1, 0.2, 0.3) of 0..3", ("in-frame 3", "transpose-for-inverse")),
+]
+
+
+@pytest.mark.parametrize(("asked_for", "q"), paired(PAIRS, [None, Q]))
+def test_two_slips_are_named_together(asked_for: tuple[str, tuple[str, str]], q: tuple[float, ...] | None) -> None:
     """Where neither alone gives the answer; in numbers and in symbols."""
+    ask, pair = asked_for
     judge = asked("articulated", ask, q)
     part = judge.exercise.parts[0]
     case, question = Case(part, judge.memo), part.question
@@ -131,6 +132,28 @@ def test_signs_in_several_entries_are_named_together(answer: str, words: str | N
     else:
         assert found is not None
         assert found.names == (words,)
+
+
+@pytest.mark.parametrize(
+    ("ask", "answer", "words"),
+    [
+        ("determinant of jacobian linear of 0..2", "a1*a2*s12", "the answer has s12 for s2"),
+        ("determinant of jacobian linear of 0..2", "a1*a2*c2", "the answer has c2 for s2"),
+        ("determinant of jacobian linear of 0..2", "a1^2*s2", "the answer has a1 for a2"),
+        (
+            "jacobian of 0..2",
+            "[a1*c1+a2*c12 a2*c12; -a1*s1-a2*s12 -a2*s12; 0 0; 0 0; 0 0; 1 1]",
+            "rows 1 and 2 have changed places",
+        ),
+    ],
+)
+def test_what_stands_for_something_else_of_the_robot_is_named(ask: str, answer: str, words: str) -> None:
+    """An angle that is not in the right answer at all; of a single answer no row and column is told."""
+    judge = asked("planar-2r", ask, None)
+    found = judge.check(judge.exercise.parts[0], answer).diagnosis
+    assert found is not None
+    assert found.names == (words,)
+    assert "(1,1)" not in " ".join(found.hints)
 
 
 def test_a_slip_is_named_by_the_digits_typed() -> None:

@@ -308,6 +308,29 @@ def test_a_joint_that_follows_another_moves_with_it(follower: str) -> None:
     assert inverse(arm, pose).nearest(q) == pytest.approx(q)
 
 
+HAND = """<robot name="hand"><link name="palm"/><link name="left"/><link name="right"/><link name="tip"/>
+<joint name="one" type="revolute"><parent link="palm"/><child link="left"/><axis xyz="0 0 1"/>
+<limit lower="0" upper="0.8"/></joint>
+<joint name="two" type="revolute"><parent link="palm"/><child link="right"/><origin xyz="0.1 0 0"/><axis xyz="0 0 1"/>
+<limit lower="-1" upper="1"/><mimic joint="one" multiplier="-2" offset="0.1"/></joint>
+<joint name="three" type="revolute"><parent link="right"/><child link="tip"/><origin xyz="0.2 0 0"/><axis xyz="0 0 1"/>
+<limit lower="-3" upper="3"/><mimic joint="one" multiplier="1" offset="0.3"/></joint></robot>"""
+
+
+def test_a_finger_that_follows_the_other_one_has_a_variable_of_its_own() -> None:
+    """Which is told; what follows the same finger beside the chain goes with it, one freedom as before."""
+    arm = read_urdf(HAND, "hand.urdf", "hand", tip="tip")
+    assert arm.variables == ("theta1",)
+    assert arm.remarks == ("two follows one, which is not on this chain: it has a variable of its own",)
+    for one in (0.1, 0.4):
+        two, three = 0.1 - 2 * one, 0.3 + one
+        wanted = [0.1 + 0.2 * np.cos(two), 0.2 * np.sin(two), 0]
+        pose = np.asarray(forward(arm, [two]))
+        assert pose[:3, 3] == pytest.approx(wanted, abs=1e-12)
+        assert np.arctan2(pose[1, 0], pose[0, 0]) == pytest.approx(two + three)
+        assert inverse(arm, pose).nearest([two]) == pytest.approx([two])
+
+
 def test_numbers_typed_in_decimals_are_shown_in_decimals() -> None:
     """Of a joint that follows another, of a skew axis, and of one that slides along a diagonal; they move as before."""
     text = with_change(ELBOW, ELBOW + '<mimic joint="shoulder" multiplier="0.35" offset="0.125"/>')

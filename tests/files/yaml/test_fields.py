@@ -9,12 +9,13 @@ import pytest
 
 from dhcli.errors import FileError, NotationError, Place, Problem, RobotError
 from dhcli.files.yaml.exercises import load_exercise
-from dhcli.files.yaml.fields import Fields, Problems, node_kind
+from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.frames import read_frames
 from dhcli.files.yaml.linkages import load_linkage
 from dhcli.files.yaml.placed import PlacedScalar, read_yaml
 from dhcli.files.yaml.robots import load_robot
 from dhcli.files.yaml.sheets import read_sheet
+from dhcli.files.yaml.slips import node_kind
 
 KNOWN = ("title", "source", "links", "parameters")
 

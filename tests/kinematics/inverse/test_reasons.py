@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
-from dhcli import forward, inverse, load_robot
+from dhcli import Robot, forward, inverse, load_robot, manipulability
 
 
 def test_too_far_is_said_with_both_lengths() -> None:
@@ -76,3 +78,33 @@ def test_a_place_too_near_to_the_first_axis_has_a_reason_too_where_the_wrist_is_
     assert "the nearest pose reached is 0.15 m away" in found.why
     # an arm whose held joints would change the answer has no such equation
     assert "no real value" not in inverse(load_robot("ur5e"), (1.3, 0, 0.1), task="position").why
+
+
+@pytest.mark.parametrize(
+    ("rows", "q"),
+    [
+        (
+            [
+                *((0.4, 0, -0.15, "q1"), (0.4, "-90°", 0, "q2"), (0.3, 0, 0, "q3")),
+                *((0, "90°", 0, "q4"), (0, "-90°", -0.15, "q5"), (0.1, "90°", "q6", 0)),
+            ],
+            [math.pi / 4, math.pi / 4, math.pi / 2, 0, 0, 0.3],
+        ),
+        (
+            [
+                *((0, "90°", 0, "q1"), (0.1, 0, 0, "q2"), (0, "-90°", 0, "q3")),
+                *((0.4, "90°", -0.15, "q4"), (0.4, "-90°", 0, "q5"), (0.4, "-90°", -0.15, "q6")),
+            ],
+            [-math.pi / 2, math.pi / 4, -math.pi / 2, 0, math.pi, math.pi / 4],
+        ),
+    ],
+)
+def test_no_pose_at_which_an_arm_stands_is_out_of_reach(rows: list[tuple[object, ...]], q: list[float]) -> None:
+    """Where so much is singular that no equation tells anything, the search for the nearest pose finds it."""
+    arm = Robot.from_dh(rows, variables=[f"q{i}" for i in range(1, 7)])  # type: ignore[arg-type]
+    pose = forward(arm, q)
+    assert manipulability(arm, q) < 1e-12
+    found = inverse(arm, pose)
+    assert len(found) > 0
+    for one in found:
+        assert np.allclose(forward(arm, list(one)).matrix, pose.matrix, atol=1e-11)

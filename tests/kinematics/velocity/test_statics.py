@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from dhcli import (
+    Robot,
     jacobian,
     joint_rates,
     load_robot,
@@ -107,6 +108,18 @@ def test_the_self_motion_of_a_redundant_arm_is_named() -> None:
     assert np.linalg.norm(idle) == pytest.approx(1)
     assert velocity_of(robot, "ready", idle) == pytest.approx((0,) * 6, abs=1e-12)
     assert np.dot(idle, found.values) == pytest.approx(0, abs=1e-12)
+
+
+def test_several_self_motions_are_told_apart_by_joints_that_only_one_of_them_moves() -> None:
+    """A base that turns below a shoulder about the same axis, and a slide beside three parallel axes."""
+    links = ["Rot(z, q1)", "Rot(z, q2)", "Trans(0.3, 0, 0)", "Trans(d3, 0, 0)", "Trans(d4, 0, 0)"]
+    head = "format: 1\ntitle: x\nsource: x\nconvention: product\nvariables: [q1, q2, d3, d4]\n"
+    robot = Robot.from_text(f"{head}links: [{', '.join(repr(link) for link in links)}]\n")
+    found = joint_rates(robot, [0.2, 0.3, 0.1, 0.2], (0.1, 0.2, 0), (0, 0, 0))
+    half = math.sqrt(0.5)
+    assert np.abs(found.idle) == pytest.approx(np.array([[half, half, 0, 0], [0, 0, half, half]]))
+    for idle in found.idle:
+        assert velocity_of(robot, [0.2, 0.3, 0.1, 0.2], idle) == pytest.approx((0,) * 6, abs=1e-12)
 
 
 def test_the_angular_velocity_alone_may_be_asked_for() -> None:

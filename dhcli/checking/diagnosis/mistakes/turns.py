@@ -74,14 +74,19 @@ def thetas_absolute(work: Work, setting: Setting) -> Made:
         yield "", replace(work, steps=tuple(changed.get(index, step) for index, step in enumerate(work.steps)))
 
 
+def are_parallel(before: Row, row: Row, convention: Convention) -> bool:
+    """Whether the axes of two rows, one behind the other, point the same way."""
+    return (before if convention is Convention.STANDARD else row).alpha.quarter_turns() == 0
+
+
 def _absolute(work: Work, setting: Setting) -> Iterator[tuple[int, Factor]]:
     """The rows that turn about an axis parallel to the one before, each with its angle counted from where that is."""
     moving = set(setting.variables)
     for index, (before, step) in enumerate(pairwise(work.steps), 1):
         if before.row is None or step.row is None:
             continue
-        twist = (before if setting.convention is Convention.STANDARD else step).row.alpha  # type: ignore[union-attr]
-        if twist.quarter_turns() == 0 and before.row.theta.names & moving and step.row.theta.names & moving:
+        both = before.row.theta.names & moving and step.row.theta.names & moving
+        if both and are_parallel(before.row, step.row, setting.convention):
             turned = Angle(before.row.theta.terms)
             row = replace(step.row, theta=step.row.theta - turned)
             factor = setting.factor((_absolute, before, step), partial(in_row, step, row, setting.convention))
