@@ -57,6 +57,7 @@ READ = [
     (ARM, "table", "a=a1; α=0; d=0; θ=θ1\na=a2; α=0; d=0; θ=θ2", ("a2", "a1")),
     (ARM, "table", "link1: a1, 0, 0, θ1\nlink 2: a2, 0, 0, θ2", ("a2", "a1")),
     (ARM, "table", "1: a1, 0, 0, θ1\n2: a2, 0, 0, θ2", ("a2", "a1")),
+    ("yim/articulated-arm", "table", "[[0,90°,d1,theta1],[a2,0,0,theta2],[a3,0,0,theta3]]", ("90", "-90")),
     (ARM, "table", "1. a1, 0, 0, θ1\n2. a2, 0, 0, θ2", ("a2", "a1")),
     (ARM, "table", "1: a1 0 0 θ1\n2: a2 0 0 θ2", ("a2", "a1")),
     (ARM, "blocks", "option 1", ("1", "2")),
