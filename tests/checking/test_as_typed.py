@@ -119,6 +119,7 @@ READ = [
     (COUNTS, "links", "7 links", ("7", "6")),
     (TABLE, "table", "a 0 0 θ1\nb -PI()/2 0 θ2\n0 0 0 θ3", ("-PI", "PI")),
     (JACOBIAN, "determinant", "|J| = a1 a2 s2", ("s2", "c2")),
+    ("wpi/puma560-entries-of-0t6", "px", "(c1 (a2 c2 + a3 c23 - d4 s23) - d3 s1)", ("d3", "d4")),
     (JACOBIAN, "whole", "-a1 s1 - a2 s12\t-a2 s12\na1 c1 + a2 c12\ta2 c12\n0\t0\n0\t0\n0\t0\n1\t1", ("1\t1", "1\t0")),
 ]
 
@@ -145,6 +146,12 @@ def test_an_answer_is_read_as_it_is_typed(exercise: str, part: str, answer: str,
         (FORMULAS, "shoulder", "ATAN2(px,py)", "a spreadsheet has x first: write atan2(y, x)"),
         (REACH, "ways", "2 or 4 solutions", "a number of solutions is a whole number"),
         (COUNTS, "sixr", "6 apples", "apples"),
+        ("wpi/puma560-entries-of-0t6", "px", "(c1, s1)", "this is a matrix, 1x2; one number was asked"),
+        ("motion/articulated-load", "load", "[0, 10.3385, 5.1962] mm", "entry (2,1) is no length: leave its unit out"),
+        ("motion/articulated-load", "rates", "[0, 0.12693, 0.13236] m", "entry (2,1) is no length: leave its unit out"),
+        ("motion/planar-rates-in-numbers", "turning", "[0, 0, -0.7] cm", "entry (3,1) is no length"),
+        (JACOBIAN, "determinant", "a1*a2*s2 m", "is no length: leave its unit out"),
+        (JACOBIAN, "determinant", "a1*a2*s2 mm^2", "is no length: leave its unit out"),
     ],
 )
 def test_what_may_be_meant_in_two_ways_is_asked(exercise: str, part: str, answer: str, said: str) -> None:
