@@ -151,7 +151,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
 
     def mark(self, case: Case, reading: Reading[Entries]) -> Mark:
         from dhcli.checking.diagnosis.plausible import at_a_point, is_trivial
-        from dhcli.checking.other_unit import mark_measured
+        from dhcli.checking.numeric import mark_measured
         from dhcli.checking.symbolic import mark_symbols
 
         exercise, entries = case.exercise, reading.value
