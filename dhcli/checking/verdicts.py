@@ -121,4 +121,10 @@ class Mark:
     expected: str = ""
     diagnosis: Diagnosis | None = None
     other_unit: str = ""
+
+    @property
+    def is_in_other_unit(self) -> bool:
+        """Whether its entries are judged in another unit than that of the sheet."""
+        return bool(self.remarks) and self.remarks[0].startswith(IN_OTHER_UNIT)
+
     found: float = 0.0

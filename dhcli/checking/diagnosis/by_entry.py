@@ -15,7 +15,6 @@ from dhcli.checking.diagnosis.mistakes import BY_ID
 from dhcli.checking.diagnosis.mistakes.in_terms import TERM_MAKERS, Among, among_of, place_in
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.search import Search
-from dhcli.checking.diagnosis.slips import slip_of
 from dhcli.checking.diagnosis.typed import TypedMatrix
 from dhcli.checking.returned import Causes
 from dhcli.frozen import frozen
@@ -115,7 +114,7 @@ def _slips_in(entry: WrongEntry, among: Among, kinds: frozenset[str]) -> Iterato
 
 def _slip(found: tuple[str, str], place: str) -> Slip:
     name, text = found
-    return slip_of(BY_ID[name], f"{place} {text}") if place else slip_in(name, text, "the answer")
+    return BY_ID[name].slip(f"{place} {text}") if place else slip_in(name, text, "the answer")
 
 
 def slip_in(kind: str, text: str, shown: str, name: str = "") -> Slip:

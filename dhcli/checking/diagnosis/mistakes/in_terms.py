@@ -13,10 +13,10 @@ from fractions import Fraction
 from typing import TypeAlias
 
 from dhcli.checking.diagnosis.bench import terms
-from dhcli.checking.diagnosis.mistakes.record import Level, Made, Mistake
+from dhcli.checking.diagnosis.record import Catalogue
 from dhcli.checking.diagnosis.result import Rank
 from dhcli.checking.diagnosis.terms import Piece, exchanged, flipped, functions, lengths, pieces, products, shown
-from dhcli.checking.diagnosis.work import Matrix, Setting, Work
+from dhcli.checking.diagnosis.work import Level, Made, Maker, Matrix, Setting, Work
 from dhcli.checking.wanted import Wanted
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
@@ -43,7 +43,7 @@ TermMaker: TypeAlias = Callable[[Expr, Among], Iterator[tuple[str, Expr]]]
 TERM_MAKERS: dict[str, TermMaker] = {}
 """What makes each mistake, by name, in the order in which they are tried and named."""
 
-IN_TERMS: list[Mistake] = []
+IN_TERMS: Catalogue[Maker] = Catalogue(Level.MATRIX, Rank.SYMPTOM)
 """The same as mistakes in a matrix."""
 
 
@@ -52,16 +52,7 @@ def _mistake(name: str, words: str, hint: str) -> Callable[[TermMaker], TermMake
 
     def taken(made: TermMaker) -> TermMaker:
         TERM_MAKERS[name] = made
-        record = Mistake(
-            name,
-            Level.MATRIX,
-            words,
-            hint,
-            lambda work, setting: _in_matrix(made, work, setting),
-            Rank.SYMPTOM,
-            alone=True,
-        )
-        IN_TERMS.append(record)
+        IN_TERMS(name, words, hint, alone=True)(lambda work, setting: _in_matrix(made, work, setting))
         return made
 
     return taken
