@@ -50,6 +50,9 @@ WORST_FIRST = (
 COUNTED = " comes out when "
 """What a remark says between a number and the slip that gives it."""
 
+HALF_TURN_OFF = "elsewhere it is half a turn off, as atan loses the quadrants on the left"
+"""What is said of a formula with atan for atan2; it names the slip, wherever in the formula that stands."""
+
 TOO_FEW = "too few digits to judge: write three decimals; to the digits typed it agrees with what is right"
 """What is said of 0.4 for 0.449."""
 

@@ -136,7 +136,9 @@ def test_a_spare_joint_is_told_and_may_be_held_or_sampled(dhcli: Run) -> None:
     held = dhcli("ik", "panda", "--pose", "ready", "--hold", "theta7=45°", "--format", "json").data
     assert held["held"] == {"theta7": pytest.approx(math.pi / 4)}
     told = dhcli("ik", "panda", "--pose", "ready")
-    assert "panda has 1 joint more than this needs: held theta7 = 0°" in told.err
+    assert "panda has 1 joint more than this needs: held theta7 = 45°, as in the joint values given" in told.err
+    again = dhcli("ik", "panda", "--q", "0.1,-0.5,0.2,-2,0.3,1.5,0.9", "--within-limits", "--format", "json").data
+    assert [0.1, -0.5, 0.2, -2, 0.3, 1.5, 0.9] in [pytest.approx(s["q"], abs=1e-9) for s in again["solutions"]]
     sampled = dhcli("ik", "panda", "--pose", "ready", "--family", "6", "--format", "json").data
     assert len({round(s["q"][6], 9) for s in sampled["solutions"]}) > 1
 

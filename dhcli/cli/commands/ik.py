@@ -150,7 +150,7 @@ def _solved(chosen: Chosen, word: str | None, goal: Goal, which: Which, out: Wri
         "all_turns": which.all_turns,
     }
     wanted |= {"start": question.start, "end": question.end, "parameters": question.lengths}
-    found = inverse(arm, question.pose, task=question.task, **wanted)  # type: ignore[arg-type]  # each is what it takes
+    found = inverse(arm, question.standing or question.pose, task=question.task, **wanted)  # type: ignore[arg-type]  # each is what it takes
     if not len(found) and question.slack:
         from dhcli.kinematics.inverse.as_typed import as_typed  # few poses are
 
