@@ -108,14 +108,24 @@ def check_names(exercise: Exercise, names: frozenset[str]) -> None:
 
 
 def _refuse_matrix(text: str, exercise: Exercise) -> None:
-    """Say so where a whole matrix was typed for one number."""
+    """Say so where a whole matrix was typed for one number; round brackets around an expression are no matrix's."""
     if text.lstrip().startswith(("[", "(", "{", "\\", "|")):
         try:
             cells = parse_matrix(text, exercise.scope)
         except NotationError:
             return
+        if text.lstrip().startswith("(") and _is_expression(text, exercise):
+            return
         if (len(cells), len(cells[0])) != (1, 1):
             raise UnreadableError(f"this is a matrix, {len(cells)}x{len(cells[0])}; one number was asked")
+
+
+def _is_expression(text: str, exercise: Exercise) -> bool:
+    try:
+        parse(text, exercise.scope)
+    except NotationError:
+        return False
+    return True
 
 
 def _shaped(question: Wanted, cells: tuple[tuple[Cell, ...], ...], text: str) -> tuple[tuple[Cell, ...], ...]:

@@ -18,6 +18,9 @@ from dhcli.notation.tree import HALF, Call, Expr, Number, Sum, Unit, multiply, p
 from dhcli.notation.trig import cosine, sine
 from dhcli.notation.walk import walk
 
+INVERSE = ("-1", "{-1}", "(-1)")
+"""The exponent of an inverse function, a token for each letter."""
+
 LONGEST_KEPT = 16
 """Tokens of the longest argument of a function that is remembered with its brackets."""
 
@@ -49,10 +52,11 @@ class Calls(Operators):
         """A function with its argument: `cos(theta1)`, `cos θ1`, `sin^2 θ1`, `sqrt 3`."""
         exponent = None
         if self.take("^"):
-            if self.at("-") and self._is_inverse(name):
-                self.position += 2
+            inverse = self._tokens_of_inverse()
+            if inverse and self._is_inverse(name, inverse):
+                self.position += inverse
                 return self._called(f"a{name}", token)
-            if self.at("-"):
+            if inverse or self.at("-"):
                 hint = f"write a{name}(0.5) for the angle, or 1/{name}(theta1)"
                 raise self.error(f"{name} to a negative power can be read in two ways", hint, token)
             exponent = self._operand()
@@ -66,12 +70,17 @@ class Calls(Operators):
         value = self._apply(name, arguments, token)
         return value if exponent is None else self._raised(value, exponent, token)
 
-    def _is_inverse(self, name: str) -> bool:
+    def _tokens_of_inverse(self) -> int:
+        """How many tokens -1 is as an exponent, in brackets or none, that comes next; 0 for another one."""
+        texts = [token.text for token in self.tokens[self.position : self.position + 4]]
+        return next((len(one) for one in INVERSE if texts[: len(one)] == list(one)), 0)
+
+    def _is_inverse(self, name: str, length: int) -> bool:
         """Whether `cos⁻¹(D)` is the angle that has this cosine: what stands in the bracket has names, and no angle."""
         start = self.position
-        if self.tokens[start + 1].text != "1" or f"a{name}" not in FUNCTIONS:
+        if f"a{name}" not in FUNCTIONS:
             return False
-        self.position += 2
+        self.position += length
         is_called = self.token.kind == "sign" and self.token.text in OPENING
         has_names = is_called and any(token.kind == "word" for token in self._bracket())
         has_angle = is_called and self._bracket_names_angle()

@@ -47,7 +47,7 @@ def with_points(text: str, shape: Shape | None = None) -> str:
     inside = _AROUND.sub("", _BEHIND.sub("", text.strip()))
     if "," in _COMMA.sub("", inside):
         pieces = re.split(r",\s+", inside) if shape and min(shape) == 1 else []
-        fits = len(pieces) == max(shape or (0,)) and all(map(_MEASURED.fullmatch, pieces))
+        fits = len(pieces) == max(shape or SIDES) and all(map(_MEASURED.fullmatch, pieces))
     else:
         fits = _are_outside(inside) and _fits(inside, shape)
     return _COMMA.sub(r"\1.", text) if fits else text

@@ -1,9 +1,11 @@
-"""Functions that stand in one run of letters with what is before or behind them: `cos30°`, `sqrt3`, `a2cos(...)`."""
+"""Functions in one run of letters with what is before or behind them, `cos30°`, `a2cos(...)`; indices on the line."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
+from dhcli.notation.brackets import OPENING
 from dhcli.notation.names import GREEK_NAMES, canonical
 from dhcli.notation.quantity import ANGLE_UNITS
 from dhcli.notation.scope import Scope
@@ -46,6 +48,28 @@ def unglued(tokens: Sequence[Token], at: int, scope: Scope, *, angle_follows: bo
     end = behind.end if fraction else word.end
     pieces.append(Token("number", digits + (behind.text if fraction else ""), middle, end, spaced=False))
     return tuple(pieces), 1 + fraction
+
+
+def indexed(tokens: Sequence[Token], at: int, scope: Scope) -> tuple[tuple[Token, ...], int]:
+    """The name `a_{i-1}` for `ai-1`, `a_i-1` or `a(i-1)`, and how many tokens it replaces; none where it is no name.
+
+    Args:
+        tokens: The tokens of the text.
+        at: Index of the word, which is no name itself.
+        scope: The names it may use.
+    """
+    word = tokens[at]
+    behind = [each.text for each in tokens[at + 1 : at + 6] if not each.spaced]
+    if behind[:2] == ["-", "1"] and word.text.endswith("i"):
+        stem, more = word.text.removesuffix("i").removesuffix("_"), 2
+    elif behind[1:4] == ["i", "-", "1"] and behind[4:] and OPENING.get(behind[0]) == behind[4]:
+        stem, more = word.text, 5
+    else:
+        return (), 0
+    name = f"{stem}_{{i-1}}"
+    if not stem or scope.is_open or not (scope.readings(name) or len(scope.split(name)) == 1):
+        return (), 0
+    return (replace(word, text=name, end=tokens[at + more].end),), more + 1
 
 
 def in_degrees(tokens: Sequence[Token], at: int) -> bool:

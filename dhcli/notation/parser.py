@@ -8,14 +8,13 @@ bounded: characters, nodes, depth and exponents are capped.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from dhcli.errors import NotationError, Place
 from dhcli.notation.brackets import OPENING, STEPS
 from dhcli.notation.calls import Calls
 from dhcli.notation.dimensions import unit_meant
 from dhcli.notation.functions import FUNCTIONS, is_usual, nearest_meaning, refusal
-from dhcli.notation.glued import in_degrees, is_factor, unglued
+from dhcli.notation.glued import in_degrees, indexed, is_factor, unglued
 from dhcli.notation.names import canonical, is_greek, suggestion
 from dhcli.notation.quantity import ANGLE_UNITS, UNITS, DimensionError, is_inverse, to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope, trig_name
@@ -107,28 +106,20 @@ class Parser(Calls):
             raise self._question(token, [trig_name(reading) for reading in readings])
         if word in FUNCTIONS:
             return self._function(FUNCTIONS[word], token)
-        if self._takes_index(token):
+        if self._takes_index():
             return self._operand()
         if word in ("c", "C", "s", "S") and (self._angle_follows() or self.at("^")):
             return self._function("cos" if word in "cC" else "sin", token)
         return self._joined(token)
 
-    def _takes_index(self, token: Token) -> bool:
-        """Put `a_{i-1}` in the place of `ai-1`, `a_i-1` or `a(i-1)`, where only that is a name."""
-        start, tokens = self.position - 1, self.tokens
-        behind = [each.text for each in tokens[start + 1 : start + 6] if not each.spaced]
-        if behind[:2] == ["-", "1"] and token.text.endswith("i"):
-            stem, count = token.text.removesuffix("i").removesuffix("_"), 2
-        elif behind[1:4] == ["i", "-", "1"] and behind[4:] and OPENING.get(behind[0]) == behind[4]:
-            stem, count = token.text, 5
-        else:
-            return False
-        name = f"{stem}_{{i-1}}"
-        if not stem or self.scope.is_open or not (self.scope.readings(name) or len(self.scope.split(name)) == 1):
-            return False
-        tokens[start : start + count + 1] = [replace(token, text=name, end=tokens[start + count].end)]
-        self.position = start
-        return True
+    def _takes_index(self) -> bool:
+        """Put `a_{i-1}` in the place of `ai-1` or `a(i-1)`, whose word was just taken."""
+        start = self.position - 1
+        pieces, replaced = indexed(self.tokens, start, self.scope)
+        if pieces:
+            self.tokens[start : start + replaced] = pieces
+            self.position = start
+        return bool(pieces)
 
     def _maybe_called(self, reading: Expr, token: Token) -> Expr:
         """A length called c or s, unless an angle in brackets or an angle's name follows."""
@@ -283,8 +274,14 @@ class Parser(Calls):
         if not self.scope.split(word):
             self._check_meaning(word, token, is_last=token.text.endswith(word))
         unit = unit_meant(word)
-        hint = f"the unit is written {unit}" if unit else suggestion(word, self.scope.names)
+        hint = f"the unit is written {unit}" if unit else self._square(word) or suggestion(word, self.scope.names)
         raise self.error(f"{word} is not a name that is known here", hint, token)
+
+    def _square(self, word: str) -> str:
+        """A hint at the square that a 2 on the line may be, `px2` for px²; `a2` is rather an index."""
+        base = word[:-1]
+        is_length = len(base) > 1 and self.scope.has(base) and not self.scope.is_angle(canonical(base))
+        return f"the square is written {base}^2" if word.endswith("2") and is_length else ""
 
     def _unusual(self, word: str, token: Token) -> NotationError:
         hint = nearest_meaning(word, self.scope.names)

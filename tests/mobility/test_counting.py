@@ -72,11 +72,11 @@ def test_numbers_stand_in_both_formulas() -> None:
 
 
 def test_a_fraction_of_n_stands_in_brackets_before_its_freedoms() -> None:
-    """`n/7·5` could be read as n through 35; and what is typed as a decimal is shown as the fraction it is."""
+    """`n/7·5` could be read as n through 35; what is typed as a decimal stays one."""
     assert (
         counts(SPATIAL, count_of("n"), joint_counts("n/7 R")).formulas[1].endswith("6(n - 1) - (n/7)·5 = -6 + 37*n/7")
     )
-    assert "(2*n/5)·1" in counts(SPATIAL, count_of("n"), joint_counts("n/2.5 R")).formulas[0]
+    assert "+ 0.4*n·1 = -6" in counts(SPATIAL, count_of("n"), joint_counts("n/2.5 R")).formulas[0]
 
 
 def test_a_formula_in_n_is_that_of_the_scissor() -> None:

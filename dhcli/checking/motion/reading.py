@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from dhcli.checking.blanks import refuse_one_expression
@@ -77,6 +78,8 @@ def read_cells(
     if 1 in shape and max(shape) > 1:
         refuse_one_expression(body, cells, max(shape), exercise.scope)
     shaped = _shaped(cells, shape)
+    if not any(power for row in powers for power in row):  # a unit behind the bracket is that of no number in it
+        shaped = tuple(tuple(replace(cell, own=cell.expr) for cell in row) for row in shaped)
     return tuple(
         tuple(_entry(exercise, cell, powers[r][c], (r, c)) for c, cell in enumerate(row))
         for r, row in enumerate(shaped)
@@ -168,7 +171,8 @@ def _entry(exercise: Exercise, cell: Cell, power: int, place: tuple[int, int]) -
     """One entry in metres; without a unit it is in that of the sheet."""
     where, given = f"entry ({place[0] + 1},{place[1] + 1})", cell.expr if power else cell.own
     try:
-        if not power and to_plain_length(given) != given:
+        refused = power != 1 and (not power or symbols(given)) and has_length_unit(given)
+        if refused or (not power and to_plain_length(given) != given):
             raise UnreadableError(f"{where} is no length: leave its unit out")
         expr = as_read(exercise, power, given)
     except DimensionError as error:

@@ -152,6 +152,9 @@ def _values(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: F
             _check_kind(_parsed(piece, names, place), asked[0], scope)
             value = put_for(_plain(_parsed(piece, names, place), unit), known)
             found += [value, add(value, PI)] if half else [value]
+    own = {node.name for node in known if isinstance(node, Symbol) and not scope.has(node.name)}
+    if inside := sorted(own & symbols_in(found)):
+        raise UnreadableError(f"{inside[0]} stands inside a cosine or sine: write there what it is made of")
     if not found:
         raise UnreadableError(f"no line says what {asked[0]} is: write {asked[0]} = ...")
     return found

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from copy import copy
 from dataclasses import field, fields, is_dataclass
 from functools import wraps
-from typing import Annotated, Any, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, get_args, get_origin
 
 from typer.models import OptionInfo
 
@@ -70,7 +70,7 @@ def _group(annotation: Any) -> tuple[type[Any], But]:  # noqa: ANN401  a datacla
 
 def _options(group: type[Any], but: But) -> Iterator[inspect.Parameter]:
     """The fields of a group as parameters of a command."""
-    hints = get_type_hints(group, include_extras=True) | dict(but.instead)
+    hints = inspect.get_annotations(group, eval_str=True) | dict(but.instead)
     for each in fields(group):
         if each.name not in but.without:
             hint = _under(hints[each.name], but.panel) if but.panel else hints[each.name]
