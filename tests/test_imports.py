@@ -53,6 +53,7 @@ MAY = {
     "transform Trans(8,-6,14)Rot(y,90°)": f"{BASE} csv render.code render.json render.text",
     "describe puma560 --as standard": f"{TEXT} csv kinematics.describe render.code",
     "ik puma560 --pose nominal": f"{TEXT} numpy csv json kinematics.inverse storage render.code",
+    "ik puma560 --derive": f"{TEXT} kinematics.inverse random",
     "show puma560": f"{TEXT} csv render.code",
     "draw puma560": DRAWN,
     "draw watt": DRAWN,

@@ -12,7 +12,7 @@ from dhcli.checking.blanks import refuse_one_expression
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, without_label
 from dhcli.checking.truth import is_length, names_of
-from dhcli.checking.units import length_in_metres
+from dhcli.checking.units import has_length_unit, length_in_metres
 from dhcli.checking.vectors import as_column
 from dhcli.checking.wanted import Wanted
 from dhcli.errors import NotationError, Place, are, plural
@@ -183,6 +183,8 @@ def _entry(question: Wanted, exercise: Exercise, cell: Cell, row: int, column: i
     where = f"entry ({row + 1},{column + 1})"
     length = is_length(question, row, column)
     given = cell.expr if length or question.piece != "pose" else cell.own
+    if exercise.unit == "none" and length and has_length_unit(given):
+        raise UnreadableError(f"{where}: the task names no unit, write a number alone")
     try:
         expr = to_plain_length(given)
         if expr != given and not length:

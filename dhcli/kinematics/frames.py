@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TypeAlias
 
-from dhcli.errors import UnknownNameError
+from dhcli.errors import RobotError, UnknownNameError
 from dhcli.frozen import frozen
 from dhcli.kinematics.moves import Chain, Trans, inverse
 from dhcli.kinematics.robot import Robot
@@ -121,3 +121,13 @@ def path(robot: Robot, start: str, end: str) -> tuple[str, ...]:
     """The frames that one comes by on the way from one to another: not the first, but the last."""
     first, last = robot.frames.index(start), robot.frames.index(end)
     return robot.frames[first + 1 : last + 1] if first <= last else robot.frames[last:first][::-1]
+
+
+def check_moves(joints: int) -> None:
+    """Make sure that a joint moves the end.
+
+    Raises:
+        RobotError: None does.
+    """
+    if not joints:
+        raise RobotError("no joint moves the end", "there is nothing to compute; fk says where it is")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any, ClassVar, TypeAlias
 
@@ -112,6 +113,7 @@ class SingularQuestion(JacobianTask, Question[Conditions]):
         named = [one for one in wanted if any(_same(one, other, robot) for other in given)]
         half = [one for one in given if any(zero.at is not None for zero in one)]
         half = [one for one in half if not any(covers(other, one, robot) for other in named)]
+        half = [one for one in half if any(covers(other, _half_turns(one), robot) for other in wanted)]
         special = [one for one in given if one not in half and any(covers(other, one, robot) for other in wanted)]
         wrong = [one for one in given if one not in half and one not in special]
         is_right = len(named) == len(wanted) and not wrong and not half
@@ -190,6 +192,11 @@ class SingularQuestion(JacobianTask, Question[Conditions]):
 def _is_joined(found: Singularities) -> bool:
     """Whether something must be zero together with something else."""
     return any(len(factor.zeros) > 1 for factor in found.factors)
+
+
+def _half_turns(condition: Condition) -> Condition:
+    """A condition at an angle and half a turn on."""
+    return frozenset(replace(zero, at=None) for zero in condition)
 
 
 def _same(one: Condition, other: Condition, robot: Robot) -> bool:

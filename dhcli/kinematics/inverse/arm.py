@@ -90,16 +90,6 @@ def inverse_pose(pose: Array) -> Array:
     return back
 
 
-def check_moves(joints: int) -> None:
-    """Make sure that a joint moves the end.
-
-    Raises:
-        RobotError: None does.
-    """
-    if not joints:
-        raise RobotError("no joint moves the end", "there is nothing to compute; fk says where it is")
-
-
 def arm_of(chain: Chain, variables: tuple[str, ...], values: Mapping[str, Angle | float]) -> Arm:
     """The joint axes of a chain of moves.
 

@@ -8,8 +8,7 @@ from fractions import Fraction
 from itertools import combinations, permutations
 
 from dhcli.errors import RobotError
-from dhcli.kinematics.frames import ends
-from dhcli.kinematics.inverse.arm import check_moves
+from dhcli.kinematics.frames import check_moves, ends
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_checks import left_to_check
 from dhcli.kinematics.inverse.derive_levels import Equation, entries, squares

@@ -7,8 +7,9 @@ from typing import TypeAlias
 
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
+from dhcli.kinematics.frames import check_moves
 from dhcli.kinematics.inverse.anatomy import NOTHING, Anatomy, anatomy
-from dhcli.kinematics.inverse.arm import Arm, arm_of, check_moves
+from dhcli.kinematics.inverse.arm import Arm, arm_of
 from dhcli.kinematics.inverse.keeping import Kept, recalled, remember
 from dhcli.kinematics.inverse.steps import Plan
 from dhcli.kinematics.inverse.tasks import Task, TaskName, for_task, task_called

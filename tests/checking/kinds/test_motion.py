@@ -369,7 +369,11 @@ def test_only_one_of_two_angles_is_half_an_answer() -> None:
     """Sin theta2 = 0 has a second zero half a turn on."""
     mark = told("planar-2r", "singular when linear of 0..2", "theta2 = 0")
     assert mark.verdict is Verdict.WRONG
+    assert "half a turn on" in " ".join(mark.remarks)
     assert told("planar-2r", "singular when linear of 0..2", "theta2 = 0, theta2 = 180°").verdict is Verdict.RIGHT
+    for elsewhere in ("theta1 = 0", "theta2 = 90°"):
+        other = told("planar-2r", "singular when linear of 0..2", elsewhere).remarks
+        assert other == ("0 of 1 are right", f"the rank need not fall where {elsewhere.removesuffix('°')}°")
 
 
 def test_a_half_right_list_earns_a_part() -> None:
