@@ -9,8 +9,6 @@ from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING, cast
 
-import numpy as np
-
 from dhcli.cli.shell.batch import BadRows
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.console import say
@@ -42,6 +40,7 @@ from dhcli.render.text.problems import warning_line
 from dhcli.render.text.progress import row_progress
 
 if TYPE_CHECKING:
+    import numpy as np
     from numpy.typing import NDArray
 
     from dhcli.kinematics.inverse.batch import Each
@@ -135,14 +134,10 @@ def _solved(
     """The rows of a block, or why there are none; in whichever process."""
     poses, places = block
     try:
-        q, index = wanted.solutions(poses)
-        more, beside, said = wanted.nearly(poses, index)
+        q, index, said = wanted.solutions(poses)
     except RobotError as error:
         return [Problem(p.message, Place(source, places[0]), p.hint) for p in error.problems]
-    order = np.argsort(np.concatenate([index, beside]), kind="stable")
-    q, index = np.concatenate([q, more])[order], np.concatenate([index, beside])[order]
     lost = len(poses) - len(set(index.tolist()))
-    said = "; ".join(filter(None, (said, wanted.said(poses))))
     return _Rows(len(poses), lost, len(q), spell(numbered(places, index, q)), said)
 
 

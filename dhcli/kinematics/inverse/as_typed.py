@@ -11,6 +11,7 @@ import numpy as np
 from dhcli.kinematics.batch import forward_batch
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.inverse.asked import inverse
+from dhcli.kinematics.inverse.batch import inverse_batch
 from dhcli.kinematics.inverse.choosing import rank
 from dhcli.kinematics.inverse.question import ask
 from dhcli.kinematics.inverse.solutions import Solutions
@@ -19,7 +20,7 @@ from dhcli.kinematics.inverse.tasks import TaskName, task_called
 from dhcli.kinematics.robot import Robot
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from numpy.typing import ArrayLike, NDArray
 
     from dhcli.kinematics.inverse.arm import Array
 
@@ -141,6 +142,32 @@ def _slopes(left: Callable[[Array], Array], q: Array, still: list[int]) -> Array
     slopes = (left(q + steps) - left(q - steps)) / (2 * _STEP)
     slopes[still] = 0
     return slopes
+
+
+def batch_as_typed(
+    robot: Robot, poses: Array, task: TaskName, asked: Mapping[str, Any], wish: Mapping[str, Any]
+) -> tuple[Array, NDArray[np.int64], bool]:
+    """Joint values for many poses; for those that an arm of few joints takes only nearly, for the nearest ones.
+
+    Args:
+        robot: The robot.
+        poses: Poses, shape (N, 4, 4) [m], or positions, (N, 3), which are taken as they are.
+        task: What of them counts.
+        asked: What `inverse` and `inverse_batch` take alike.
+        wish: What else `inverse_batch` takes.
+
+    Returns:
+        Joint values, the number of the pose of each in rising order, and whether a pose nearby was taken for any.
+    """
+    q, index = inverse_batch(robot, poses, task=task, **wish, **asked)
+    lost = np.setdiff1d(np.arange(len(poses)), index).tolist()
+    taken = poses_as_typed(robot, poses, lost, task, asked) if poses.ndim == 3 else {}  # noqa: PLR2004  matrices
+    if not taken:
+        return q, index, False
+    more, at = inverse_batch(robot, np.array(list(taken.values())), task=task, **wish, **asked)
+    both = np.concatenate([index, np.array(list(taken))[at]])
+    order = np.argsort(both, kind="stable")
+    return np.concatenate([q, more])[order], both[order], True
 
 
 def poses_as_typed(

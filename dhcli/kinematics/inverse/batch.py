@@ -58,6 +58,9 @@ def inverse_batch(  # noqa: PLR0913  what may be asked of poses
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     """Joint vectors that take the end of a robot to many poses.
 
+    Of an arm with joints to spare, and of one whose joints do not follow one by one, a pose for which the plan finds
+    nothing is looked for by itself, as `inverse` does; that takes some hundredths of a second each.
+
     Args:
         robot: The robot.
         T: The poses, shape (N, 4, 4) [m]; for positions also (N, 3), for orientations (N, 3, 3).
