@@ -26,6 +26,7 @@ WORDS = {
     **dict.fromkeys(("no", "n", "false", "unreachable", "not reached", "not reachable"), False),
 }
 _COUNTED = ("solution", "way", "posture", "branch")
+_BOTH = regex(r"\s*(?:yes|no)\s*(?:and|or|/)\s*(?:yes|no)\b.*", re.DOTALL | re.IGNORECASE)
 _WORD = regex(r"\s*(?:it(?:'s| is) )?(?P<word>not reach(?:ed|able)|[a-z]+)\b.*", re.DOTALL | re.IGNORECASE)
 
 
@@ -160,7 +161,8 @@ class ReachQuestion(GoalQuestion[bool]):
         yield Shown(self._why(case))
 
     def read(self, _case: Case, text: str, _place: Place | None = None) -> bool:
-        match = _WORD.fullmatch(without_label(text))
+        text = without_label(text)
+        match = None if _BOTH.fullmatch(text) else _WORD.fullmatch(text)
         word = match["word"].lower() if match else ""
         if word not in WORDS:
             raise UnreadableError("write yes or no; a reason may stand behind it")
