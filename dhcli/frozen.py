@@ -11,11 +11,25 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import _FIELD, MISSING, Field, FrozenInstanceError, field, fields, replace  # type: ignore[attr-defined]
 from functools import cached_property
 from operator import attrgetter
-from types import FunctionType
+from types import FunctionType, SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, cast, dataclass_transform
 
 if TYPE_CHECKING:
     from inspect import Signature
+
+_PARAMS = SimpleNamespace(
+    init=True,
+    repr=True,
+    eq=True,
+    order=False,
+    unsafe_hash=False,
+    frozen=True,
+    match_args=True,
+    kw_only=False,
+    slots=True,
+    weakref_slot=False,
+)
+"""What `dataclasses`, `pprint` and pytest ask of how a class was made."""
 
 T = TypeVar("T")
 _Put: TypeAlias = Callable[[object, object], None]
@@ -60,6 +74,7 @@ def _slotted(cls: type[T]) -> tuple[type[T], Sequence[Field[Any]]]:
         slots.append("__dict__")
     found |= own
     body |= {"__qualname__": cls.__qualname__, "__slots__": tuple(slots), "__dataclass_fields__": found}
+    body["__dataclass_params__"] = _PARAMS
     make = cast("Callable[..., type[T]]", type(cls))
     return make(cls.__name__, cls.__bases__, body), tuple(found.values())
 

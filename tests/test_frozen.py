@@ -3,6 +3,7 @@
 import copy
 import inspect
 import pickle
+import pprint
 from collections.abc import Callable
 from dataclasses import FrozenInstanceError, dataclass, field, fields, is_dataclass, replace
 from functools import cached_property
@@ -12,6 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from dhcli import inverse, load_robot
 from dhcli.frozen import frozen
 
 T = TypeVar("T")
@@ -194,6 +196,15 @@ class Kept:
 def test_it_goes_to_another_process_and_back() -> None:
     """Its slots are set past the lock."""
     assert pickle.loads(pickle.dumps(Kept(1, (2,)))) == Kept(1, (2,))  # noqa: S301
+
+
+def test_it_is_printed_prettily_however_long_it_is() -> None:
+    """`pprint` asks a dataclass that needs more than a line how it was made."""
+    long = Kept(1, tuple(range(60)))
+    assert pprint.pformat({"kept": long}).startswith("{'kept': ")
+    assert pprint.pformat(inverse(load_robot("puma560"), [0.4, 0.1, 0.3], task="position")).count("elbow") > 1
+    with pytest.raises(TypeError, match="cannot inherit non-frozen dataclass"):
+        dataclass(type("Heir", (Kept,), {"__annotations__": {"z": int}, "z": 1}))
 
 
 def test_what_it_works_out_is_kept() -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 from dhcli.checking.credit import USUAL, Shares, credits_text
 from dhcli.checking.exercise import Exercise, Part, Question
-from dhcli.checking.verdicts import IN_OTHER_UNIT, UNSOLVED, CellMark, Mark, Verdict, worst
+from dhcli.checking.verdicts import UNSOLVED, CellMark, Mark, Verdict, worst
 
 
 def earned(shares: Shares, question: Question[Any], mark: Mark, *, numeric: bool) -> float:
@@ -23,10 +23,8 @@ def earned(shares: Shares, question: Question[Any], mark: Mark, *, numeric: bool
         return shares.unit
     if mark.verdict is Verdict.ROUNDED:
         return shares.rounded * mark.earned
-    if mark.verdict not in UNSOLVED or shares == USUAL:
+    if mark.verdict not in UNSOLVED or shares == USUAL or mark.is_in_other_unit:
         return mark.earned
-    if mark.remarks and mark.remarks[0].startswith(IN_OTHER_UNIT):
-        return mark.earned  # its entries are judged in the other unit
     if mark.found:
         return shares.moves * mark.found
     if len(mark.cells) <= 1:

@@ -11,7 +11,8 @@ from dhcli.checking.earning import earned
 from dhcli.checking.exercise import MISPRINTED, Case, Exercise, Memo, Part
 from dhcli.checking.lists import unit_for_all
 from dhcli.checking.marked import PartMark, SheetMark
-from dhcli.checking.pasted import UnreadableError, WrongUnitError, refuse_blanks
+from dhcli.checking.other_unit import WrongUnitError
+from dhcli.checking.pasted import UnreadableError, refuse_blanks
 from dhcli.checking.returned import Causes, Judged, Reading, Shown
 from dhcli.checking.verdicts import COUNTED, INVERSE, TOO_FEW, TRANSPOSED, UNSOLVED, Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, Place, UnknownNameError, did_you_mean

@@ -6,8 +6,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from dhcli.checking.entries import Entries, Entry, values_of
-from dhcli.checking.exercise import Exercise
+from dhcli.checking.entries import Entries, Entry, in_unit_of, values_of
+from dhcli.checking.exercise import Exercise, Memo
 from dhcli.checking.orientations import (
     LEAST_SLACK,
     Matrix,
@@ -18,6 +18,7 @@ from dhcli.checking.orientations import (
     transposed,
     turned,
 )
+from dhcli.checking.other_unit import InUnit, judged_in, plainly_in
 from dhcli.checking.symbolic import is_exactly
 from dhcli.checking.tolerance import (
     LEAST_DECIMALS,
@@ -50,6 +51,39 @@ LEAST_TURN = 0.1
 
 RELATIVE = 1e-3
 """Tolerance of a length where none is declared, as a share of the robot's size."""
+
+
+def mark_measured(question: Wanted, truth: Truth, entries: Entries, memo: Memo, tolerance: Tolerance) -> Mark:
+    """Judge an answer in numbers, whatever unit its lengths are in.
+
+    Raises:
+        UnreadableError: An entry has no finite value, or the answer is right in another unit.
+    """
+    own = mark_numbers(question, truth, entries, memo.exercise, tolerance)
+    other = in_other_unit(question, truth, entries, memo, tolerance, own) if own.verdict in UNSOLVED else None
+    return own if other is None else judged_in(other, own, memo.exercise.unit)
+
+
+def in_other_unit(
+    question: Wanted, truth: Truth, entries: Entries, memo: Memo, tolerance: Tolerance, own: Mark | None = None
+) -> InUnit | None:
+    """A wrong answer whose lengths are plainly in another unit; asked when judging and when explaining."""
+    right = truth.numbers
+    if right is None:
+        return None
+
+    def read(unit: str) -> InUnit:
+        there = memo.in_unit(unit).exercise
+        moved = in_unit_of(question, entries, there)
+        return InUnit(unit, moved, mark_numbers(question, truth, moved, there, tolerance))
+
+    def found() -> InUnit | None:
+        cells = (own or mark_numbers(question, truth, entries, memo.exercise, tolerance)).cells
+        limits, places = limits_of(question, truth, tolerance), [(cell.row, cell.column) for cell in cells]
+        lengths = [(right[r][c], limits[r][c]) if is_length(question, r, c) else (0.0, 0.0) for r, c in places]
+        return plainly_in(map(read, memo.exercise.other_units), cells, lengths)
+
+    return memo.recent(("plain unit", question, tolerance), entries, found)
 
 
 def mark_numbers(

@@ -9,7 +9,7 @@ from dhcli.notation.pasted import EntriesError, rows_of
 from dhcli.notation.pasted import without_label as _without_label
 from dhcli.regex import regex
 
-__all__ = ["UnreadableError", "WrongUnitError", "as_matrix", "refuse_blanks", "without_label", "without_number_word"]
+__all__ = ["UnreadableError", "as_matrix", "refuse_blanks", "without_label", "without_number_word"]
 
 _ABOUT = regex(r"≈")
 _ABOUT_NAMED = regex(r"(?<=[\w}\u0307])[ \t]{0,9}≈(?=[ \t]{0,9}[+−-]?[\d.]{1,30}[^\n,;=]{0,20}(?:[\n,;]|$))")  # noqa: RUF001
@@ -45,15 +45,6 @@ class UnreadableError(Exception):
         """Say what would be read."""
         super().__init__("; ".join(remarks))
         self.remarks = remarks
-
-
-class WrongUnitError(UnreadableError):
-    """An answer that is right throughout in another unit."""
-
-    def __init__(self, unit: str, remark: str, how: str = "") -> None:
-        """Say which unit it is in, behind it its power and how right it is there if not quite, and what is wanted."""
-        super().__init__(f"right in {unit}{how}; {remark}")
-        self.unit = unit
 
 
 def without_label(text: str, shape: Shape | None = None) -> str:

@@ -12,9 +12,6 @@ ZERO = 1e-12
 LEAST_DECIMALS = 2
 CLOSE_FACTOR = 10.0
 
-CLEAR = 10
-"""Tolerances above which a length is right in another unit by no chance: near zero many are."""
-
 NOT_EXACT = "this task wants exact values, such as sqrt(2)/2 for 0.7071"
 """What is said of a value that is only near the right one where exact ones are asked for."""
 

@@ -8,8 +8,9 @@ from dataclasses import replace
 from dhcli.algebra.floats import Floats
 from dhcli.checking.entries import check_names
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.pasted import UnreadableError, WrongUnitError, without_label
-from dhcli.checking.tolerance import CLEAR, NOT_EXACT, Tolerance, is_rounding_of, judge, without_unit
+from dhcli.checking.other_unit import RADIANS, WrongUnitError, is_clear, refuse_right_in
+from dhcli.checking.pasted import UnreadableError, without_label
+from dhcli.checking.tolerance import NOT_EXACT, Tolerance, is_rounding_of, judge, without_unit
 from dhcli.checking.units import is_measure, length_in_metres
 from dhcli.checking.verdicts import AGREEING, UNSOLVED, CellMark, Mark, Verdict
 from dhcli.errors import Place
@@ -128,13 +129,16 @@ def _verdict_in_unit(
         in_radians = _as_asked(answer.expr, right, exercise, "rad")
         if _verdict(exercise, in_radians, right, answer.expr, tolerance) is Verdict.RIGHT:
             shown = spelled_value(right, exercise)
-            raise WrongUnitError("radians", f"a bare angle is in degrees: write {shown} or {answer.text} rad")
-    if right.is_length and verdict in UNSOLVED and _is_clear(right, exercise, tolerance):
-        for unit in exercise.other_units:
-            there = replace(exercise, unit=unit)
-            moved = _as_asked(answer.expr, right, there, "deg")
-            if moved != typed and _verdict(there, moved, right, answer.expr, tolerance) not in UNSOLVED:
-                raise WrongUnitError(unit, f"this sheet is in {exercise.unit}")
+            wanted = f"a bare angle is in degrees: write {shown} or {answer.text} rad"
+            raise WrongUnitError(RADIANS, exercise.unit, wanted=wanted)
+
+    def is_right(unit: str) -> bool:
+        there = replace(exercise, unit=unit)
+        moved = _as_asked(answer.expr, right, there, "deg")
+        return moved != typed and _verdict(there, moved, right, answer.expr, tolerance) not in UNSOLVED
+
+    if right.is_length and verdict in UNSOLVED and _shows_unit(right, exercise, tolerance):
+        refuse_right_in(exercise.other_units, exercise.unit, is_right)
     return verdict
 
 
@@ -221,14 +225,14 @@ def _limit(truth: float, tolerance: Tolerance) -> float:
     return tolerance.position if tolerance.position is not None else 1e-3 * max(abs(truth), 1e-9)
 
 
-def _is_clear(right: Quantity, exercise: Exercise, tolerance: Tolerance) -> bool:
+def _shows_unit(right: Quantity, exercise: Exercise, tolerance: Tolerance) -> bool:
     """Whether a length is right in another unit by no chance: one in letters, or one that is not near zero."""
     from dhcli.checking.symbolic import put
 
     if isinstance(right.value, Angle) or symbols(value := put(right.value, exercise.values)):
         return True
-    truth = abs(Floats(numbers(exercise.values)).value(value))
-    return truth > CLEAR * _limit(truth, tolerance)
+    truth = Floats(numbers(exercise.values)).value(value)
+    return is_clear(truth, _limit(truth, tolerance))
 
 
 def _degrees_apart(difference: Angle) -> float:

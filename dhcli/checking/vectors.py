@@ -31,6 +31,8 @@ _NAME_PARTS = regex(r"_\{[^{}\n]{0,20}\}|\\\\|\\[A-Za-z]{1,20}")
 _WIDE = regex(r"[^\s+*/^-][ \t]+-?[\w.]+[ \t]+-?[\w.]+[ \t]+-?[\w.]")
 """Four cells or more in a row: a whole matrix, not a coordinate."""
 _UNIT_VECTORS = ("i", "j", "k")
+_NO_STEP = regex(r"(?<![\w.])0(?=[ijk](?!\w))")
+"""The 0 of `0k`, which alone would be read as the beginning of a number such as 0x1F."""
 LENGTHS = (3, 4)
 """Coordinates of a vector, without and with the last one of homogeneous coordinates."""
 
@@ -100,7 +102,7 @@ def _from_unit_vectors(text: str, scope: Scope) -> str:
     if any(scope.has(name) for name in _UNIT_VECTORS) or "," in text or ";" in text:
         return ""
     try:
-        expr = parse(text, replace(scope, lengths=(*scope.lengths, *_UNIT_VECTORS)))
+        expr = parse(_NO_STEP.sub("0 ", text), replace(scope, lengths=(*scope.lengths, *_UNIT_VECTORS)))
     except NotationError:
         return ""
     if not symbols(expr) & set(_UNIT_VECTORS):

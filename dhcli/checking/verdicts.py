@@ -50,6 +50,9 @@ WORST_FIRST = (
 COUNTED = " comes out when "
 """What a remark says between a number and the slip that gives it."""
 
+HALF_TURN_OFF = "elsewhere it is half a turn off, as atan loses the quadrants on the left"
+"""What is said of a formula with atan for atan2; it names the slip, wherever in the formula that stands."""
+
 TOO_FEW = "too few digits to judge: write three decimals; to the digits typed it agrees with what is right"
 """What is said of 0.4 for 0.449."""
 
@@ -118,4 +121,10 @@ class Mark:
     expected: str = ""
     diagnosis: Diagnosis | None = None
     other_unit: str = ""
+
+    @property
+    def is_in_other_unit(self) -> bool:
+        """Whether its entries are judged in another unit than that of the sheet."""
+        return bool(self.remarks) and self.remarks[0].startswith(IN_OTHER_UNIT)
+
     found: float = 0.0

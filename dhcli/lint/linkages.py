@@ -11,7 +11,6 @@ from dhcli.lint.wording import unfinished
 from dhcli.mobility.counting import Counts
 from dhcli.mobility.finding import analyse
 from dhcli.mobility.linkage import Linkage
-from dhcli.mobility.pairs import LinkageError
 
 
 def findings(linkage: Linkage | Counts) -> Iterator[Finding]:
@@ -24,11 +23,7 @@ def findings(linkage: Linkage | Counts) -> Iterator[Finding]:
     yield from _half_placed(linkage)
     if not linkage.is_placed:
         return
-    try:
-        found = analyse(linkage)
-    except LinkageError as error:
-        yield Finding((), error.problems[0].message, error.problems[0].hint)
-        return
+    found = analyse(linkage)  # what keeps it from being analysed is a finding too: see `kept`
     if found.mobility is None:
         hint = "are the lengths exact? expressions keep them so"
         yield Finding((), f"the geometry does not decide the mobility: {found.certificate}", hint)

@@ -66,4 +66,5 @@ def _better(judge: Judge, part: Part) -> str:
             continue
         if left < best[0]:
             best = left, ", ".join(f"{name}: {value_text(given[name])}" for name in turning)
-    return f"given: {{{best[1]}}} leaves {best[0]}" if best[1] else ""
+    shown = f"hides {best[0]} only" if best[0] else "shows it" if now == 1 else f"shows all {now}"
+    return f"given: {{{best[1]}}} {shown}" if best[1] else ""

@@ -43,6 +43,7 @@ _VARIANTS = {"vartheta": "theta", "varphi": "phi", "varepsilon": "epsilon"}
 _SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _SPLIT = regex(r"(\D*)(\d*)")
 _TRIG = regex(rf"(?:cos|sin|[cs])(?={'|'.join(sorted(GREEK_NAMES))})")
+_CAPITAL_GREEK = regex(rf"(?=[A-Z])(?:{'|'.join(name.capitalize() for name in sorted(GREEK_NAMES))})\d*$")
 _STEM = regex(r"(?P<stem>[A-Za-z]+)(?P<index>\d*)(?:_(?P<letters>.+))?")
 
 
@@ -56,11 +57,13 @@ def natural_key(name: str) -> tuple[tuple[str, int], ...]:
 def canonical(name: str) -> str:
     r"""One spelling for all the ways people write a name.
 
-    `θ1`, `theta_1`, `\theta_{1}` and `θ₁` are `theta1`; `\alpha_{i-1}` is `alpha_{i-1}`, `a_{i}` is `a_i`.
+    `θ1`, `theta_1`, `\theta_{1}`, `θ₁`, and `Theta1` as a phone begins a line, are `theta1`; `\alpha_{i-1}` is
+    `alpha_{i-1}`, `a_{i}` is `a_i`.
     """
     text = "".join(GREEK.get(letter, letter) for letter in name.translate(_SUBSCRIPTS))
     text = text.replace("\\", "")
     stem, _, subscript = text.partition("_")
+    stem = stem[:1].lower() + stem[1:] if _CAPITAL_GREEK.match(stem) else stem
     stem = _VARIANTS.get(stem, stem)
     subscript = subscript.strip("{}").replace(" ", "").replace("−", "-").replace("–", "-")
     if not subscript:

@@ -274,8 +274,14 @@ class Parser(Calls):
         if not self.scope.split(word):
             self._check_meaning(word, token, is_last=token.text.endswith(word))
         unit = unit_meant(word)
-        hint = f"the unit is written {unit}" if unit else suggestion(word, self.scope.names)
+        hint = f"the unit is written {unit}" if unit else self._square(word) or suggestion(word, self.scope.names)
         raise self.error(f"{word} is not a name that is known here", hint, token)
+
+    def _square(self, word: str) -> str:
+        """A hint at the square that a 2 on the line may be, `px2` for px²; `a2` is rather an index."""
+        base = word[:-1]
+        is_length = len(base) > 1 and self.scope.has(base) and not self.scope.is_angle(canonical(base))
+        return f"the square is written {base}^2" if word.endswith("2") and is_length else ""
 
     def _unusual(self, word: str, token: Token) -> NotationError:
         hint = nearest_meaning(word, self.scope.names)

@@ -24,7 +24,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 from dhcli import load_exercise, load_robot
 from dhcli.checking.diagnosis.matrix_causes import typed_text
 from dhcli.checking.diagnosis.mistakes import IN_TERMS
-from dhcli.checking.diagnosis.mistakes.in_terms import TERM_MAKERS, among_of
+from dhcli.checking.diagnosis.mistakes.in_terms import IN_ENTRY, among_of
 from dhcli.checking.diagnosis.result import Diagnosis, Slip
 from dhcli.checking.diagnosis.search import matches, same, search_of
 from dhcli.checking.diagnosis.slips import candidates, setting_of
@@ -200,11 +200,11 @@ def term_answers(judge: Judge, part: Part) -> dict[str, list[Callable[[], str]]]
     among = among_of(right_grid.rows, setting_of(judge.exercise))
     for r, row in enumerate(right_grid.rows):
         for c, entry in enumerate(row):
-            for name, maker in TERM_MAKERS.items():
-                for text, changed in maker(entry, among):
+            for mistake in IN_ENTRY:
+                for text, changed in mistake.made(entry, among):
                     line = (*row[:c], changed, *row[c + 1 :])
                     grid = replace(right_grid, rows=(*right_grid.rows[:r], line, *right_grid.rows[r + 1 :]))
-                    about = " ".join(filter(None, (name, question.place(r, c), text)))
+                    about = " ".join(filter(None, (mistake.id, question.place(r, c), text)))
                     found.setdefault(about, []).append(partial(question.text, case, grid))
     return found
 

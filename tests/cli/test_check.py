@@ -151,6 +151,14 @@ def test_where_no_slip_is_found_it_is_said_when_asked(dhcli: Run) -> None:
     assert calm not in dhcli("check", "rotate-a-vector", "--part", "sense", "--answer", "1", "--why").out
 
 
+def test_a_formula_that_loses_its_quadrants_is_not_said_to_have_no_slip(dhcli: Run) -> None:
+    """Two atan for two atan2 are no single slip, and a remark has told what they lose."""
+    formula = "atan(py/px) - atan(a2*s2/(a1 + a2*c2))"
+    said = dhcli("check", "planar-joints", "--part", "shoulder", "--answer", formula, "--why").out
+    assert "as atan loses the quadrants on the left" in said
+    assert "no slip" not in said
+
+
 def test_a_format_that_a_judgement_does_not_have_is_refused_first(dhcli: Run) -> None:
     """Before anything is judged and counted as a try."""
     done = dhcli("check", PLANAR, "--part", "a1", "--answer", A1, "--format", "latex")

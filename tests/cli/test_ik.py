@@ -136,9 +136,33 @@ def test_a_spare_joint_is_told_and_may_be_held_or_sampled(dhcli: Run) -> None:
     held = dhcli("ik", "panda", "--pose", "ready", "--hold", "theta7=45°", "--format", "json").data
     assert held["held"] == {"theta7": pytest.approx(math.pi / 4)}
     told = dhcli("ik", "panda", "--pose", "ready")
-    assert "panda has 1 joint more than this needs: held theta7 = 0°" in told.err
+    assert "panda has 1 joint more than this needs: held theta7 = 45°, as in the joint values given" in told.err
+    again = dhcli("ik", "panda", "--q", "0.1,-0.5,0.2,-2,0.3,1.5,0.9", "--within-limits", "--format", "json").data
+    assert [0.1, -0.5, 0.2, -2, 0.3, 1.5, 0.9] in [pytest.approx(s["q"], abs=1e-9) for s in again["solutions"]]
     sampled = dhcli("ik", "panda", "--pose", "ready", "--family", "6", "--format", "json").data
     assert len({round(s["q"][6], 9) for s in sampled["solutions"]}) > 1
+
+
+def test_a_joint_at_its_limit_is_inside_to_the_digits_typed(dhcli: Run) -> None:
+    """PUMA's theta2 at 45°, which four decimals put a thousandth of a degree above."""
+    matrix = np.round(np.array(forward(load_robot("puma560"), "0.3, 45°, -2, 0.3, 0.7, 0.1").matrix), 4).tolist()
+    done = dhcli("ik", "puma560", "--target", str(matrix), "--within-limits", "--format", "json")
+    q = [s["q"] for s in done.data["solutions"]]
+    assert [0.3, math.pi / 4, -2, 0.3, 0.7, 0.1] in [pytest.approx(row, abs=1e-3) for row in q]
+    assert "to the digits typed theta2 may stand at a limit" in done.err
+
+
+def test_rows_of_few_decimals_are_taken_as_single_poses_are(dhcli: Run, tmp_path: Path) -> None:
+    """An arm of three joints takes none of them with exactly these digits, and that is said once."""
+    exact = [[0.3, 0.9, 0.2], [0.1, 0.4, 1.2]]
+    matrices = [np.round(np.array(forward(load_robot("zhou-3r"), q).matrix), 4).tolist() for q in exact]
+    path = tmp_path / "poses.jsonl"
+    path.write_text("".join(json.dumps({"matrix": matrix}) + "\n" for matrix in matrices), encoding="utf-8")
+    done = dhcli("ik", "zhou-3r", "--in", str(path), "--format", "csv")
+    assert done.code == 0
+    rows = [[float(cell) for cell in line.split(",")] for line in done.out.splitlines()[1:]]
+    assert rows == [pytest.approx([line, *q], abs=1e-3) for line, q in enumerate(exact, 1)]
+    assert done.err.count("no pose with exactly the digits of some rows") == 1
 
 
 def test_csv_has_a_line_for_each_solution(dhcli: Run) -> None:

@@ -49,7 +49,7 @@ def test_a_table_in_one_line_is_judged_at_once(tmp_path: Path) -> None:
         assert screen.end() == 0
 
 
-@pytest.mark.parametrize("word", ["quit", "Exit"])
+@pytest.mark.parametrize("word", ["quit", "Exit", "q"])
 def test_a_word_ends_the_walk(tmp_path: Path, word: str) -> None:
     """Also within an answer; what was reached is summed up."""
     with Terminal(tmp_path, "check", PLANAR) as screen:

@@ -28,6 +28,14 @@ def hinges(name: str, *rows: DH) -> Robot:
     return Robot(name, name, "of this test", Convention.STANDARD, variables, tuple(links), lengths)
 
 
+def numbered_hinges(table: str) -> Robot:
+    """An arm of hinges in standard DH whose rows are written `a,alpha,d`, with blanks between them."""
+    rows = [row.split(",") for row in table.split()]
+    names = [f"q{k}" for k in range(1, len(rows) + 1)]
+    written = [(float(a), f"{alpha}°", float(d), name) for (a, alpha, d), name in zip(rows, names, strict=True)]
+    return Robot.from_dh(written, variables=names, convention="standard")
+
+
 def _length(name: str) -> Expr:
     return Symbol(name) if name else ZERO
 

@@ -183,6 +183,13 @@ def test_a_position_that_five_moves_reach_in_endless_ways_is_reached_by_their_fo
     assert "may not find all" in found.remarks[1]
 
 
+def test_variables_to_spare_are_held_where_they_stand_in_the_values_given() -> None:
+    """Of a palletizer too, whose variables are led."""
+    found = inverse(PALLETIZER, "0.2, 1.0, 0.3, 0.4", task="position")
+    assert found.nearest([0.2, 1.0, 0.3, 0.4]) == pytest.approx([0.2, 1.0, 0.3, 0.4], abs=1e-9)
+    assert found.remarks[0].endswith("held j4 = 22.9183°, as in the joint values given")
+
+
 @pytest.mark.parametrize("value", [1.0, "1 rad"])
 def test_a_variable_that_moves_one_joint_alone_can_be_held(value: float | str) -> None:
     """J2 turns its own joint, and the next one together with J3; each solution has the value, and reaches the place."""

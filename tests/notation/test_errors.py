@@ -35,6 +35,8 @@ def refused(text: str, scope: Scope = ROBOT, place: Place | None = None) -> str:
         ("2 3", "3: two numbers side by side (write * between them, or a comma if they are two values)"),
         ("1.2.3", "4: two numbers side by side (write * between them, or a comma if they are two values)"),
         ("a3", "1: a3 is not a name that is known here (did you mean d3 or a2 or a1?)"),
+        ("a12 + d3^2", "1: a12 is not a name that is known here (the square is written a1^2)"),
+        ("theta22", "1: theta22 is not a name that is known here (did you mean theta2 or theta1?)"),
         ("a1 + theta9", "6: theta9 is not a name that is known here (did you mean theta2 or theta1?)"),
         ("zzz", "1: zzz is not a name that is known here (known: theta1, theta2, a1, a2, d3)"),
         ("cos", "4: the end where the argument of cos was expected (write cos(theta1))"),

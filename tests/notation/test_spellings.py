@@ -34,6 +34,7 @@ ROBOT = Scope(
         # names
         ("θ1", "theta1"), ("theta1", "theta1"), ("theta_1", "theta1"), ("\\theta_1", "theta1"),
         ("\\theta_{1}", "theta1"), ("\\vartheta_1", "theta1"), ("ϑ1", "theta1"), ("θ₁", "theta1"), ("q1", "theta1"),
+        ("Theta1", "theta1"), ("Theta_{1}", "theta1"), ("Alpha_{i-1}", "alpha_{i-1}"), ("cosTheta1", "c1"),
         ("q_1", "theta1"), ("a_1", "a1"), ("a_{1}", "a1"), ("a₁", "a1"), ("a_{12}", "a12"), ("\\mathrm{a}_1", "a1"),
         ("d_f", "d_f"), ("d_{f}", "d_f"), ("α", "alpha"), ("\\alpha_{i-1}", "alpha_{i-1}"), ("α_{i-1}", "alpha_{i-1}"),
         # cosines and sines

@@ -12,10 +12,9 @@ from operator import itemgetter
 
 from dhcli.checking.diagnosis.bench import terms
 from dhcli.checking.diagnosis.mistakes import BY_ID
-from dhcli.checking.diagnosis.mistakes.in_terms import TERM_MAKERS, Among, among_of, place_in
+from dhcli.checking.diagnosis.mistakes.in_terms import IN_ENTRY, Among, among_of, place_in
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.search import Search
-from dhcli.checking.diagnosis.slips import slip_of
 from dhcli.checking.diagnosis.typed import TypedMatrix
 from dhcli.checking.returned import Causes
 from dhcli.frozen import frozen
@@ -73,7 +72,7 @@ def entry_causes(entries: Iterable[WrongEntry], among: Among) -> EntryCauses:
     """The slips in the terms of the entries that are wrong, if each of these has one."""
     wrong = sorted(entries, key=lambda one: operations(one.right))  # what is short fails soon
     found: list[tuple[str, Found]] = []
-    kinds = frozenset(TERM_MAKERS)
+    kinds = frozenset(one.id for one in IN_ENTRY)
     for one in wrong:
         here = dict.fromkeys(_slips_in(one, among, kinds))
         if not here:
@@ -107,15 +106,15 @@ def _wrong(typed: TypedMatrix) -> Iterator[tuple[int, int]]:
 
 
 def _slips_in(entry: WrongEntry, among: Among, kinds: frozenset[str]) -> Iterator[tuple[str, str]]:
-    for name, made in TERM_MAKERS.items():
-        for text, changed in made(entry.right, among) if name in kinds else ():
+    for mistake in IN_ENTRY:
+        for text, changed in mistake.made(entry.right, among) if mistake.id in kinds else ():
             if entry.is_given_by(changed):
-                yield name, text
+                yield mistake.id, text
 
 
 def _slip(found: tuple[str, str], place: str) -> Slip:
     name, text = found
-    return slip_of(BY_ID[name], f"{place} {text}") if place else slip_in(name, text, "the answer")
+    return BY_ID[name].slip(f"{place} {text}") if place else slip_in(name, text, "the answer")
 
 
 def slip_in(kind: str, text: str, shown: str, name: str = "") -> Slip:

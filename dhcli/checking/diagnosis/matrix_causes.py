@@ -11,7 +11,7 @@ from dhcli.checking.diagnosis.typed import TypedMatrix, typed_answer
 from dhcli.checking.diagnosis.work import Work, right_work
 from dhcli.checking.entries import Entries, entries_text
 from dhcli.checking.exercise import Case, Exercise
-from dhcli.checking.other_unit import plain_unit
+from dhcli.checking.numeric import in_other_unit
 from dhcli.checking.returned import Causes
 from dhcli.checking.truth import is_length, truth_of
 from dhcli.checking.wanted import Wanted
@@ -33,11 +33,9 @@ def matrix_causes(case: Case, question: Wanted, entries: Entries) -> Causes:
     exercise = case.exercise
     if typed.is_general and not exercise.numeric:
         return _in_symbols(typed)
-    unit = (
-        "" if typed.is_general else plain_unit(question, truth_of(question, case), entries, case.memo, case.tolerance)
-    )
-    if unit:
-        return _in_other_unit(exercise, typed, unit)
+    truth = truth_of(question, case)
+    if not typed.is_general and (other := in_other_unit(question, truth, entries, case.memo, case.tolerance)):
+        return _in_other_unit(exercise, typed, other.unit)
     for slack in typed.slacks:
         causes = typed.search.causes(typed.values, slack, typed.slacks[0])
         if causes:

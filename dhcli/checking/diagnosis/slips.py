@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from dhcli.checking.diagnosis.mistakes import BY_ID, MISTAKES, Level, Mistake
+from dhcli.checking.diagnosis.mistakes import BY_ID, MISTAKES
+from dhcli.checking.diagnosis.record import Mistake
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.diagnosis.work import Factor, Setting, Work
+from dhcli.checking.diagnosis.work import Factor, Level, Maker, Setting, Work
 from dhcli.checking.exercise import Exercise, Memo
 from dhcli.checking.wanted import Wanted
 from dhcli.frozen import frozen
@@ -27,7 +28,7 @@ class Candidate:
     """
 
     slips: tuple[Slip, ...]
-    mistake: Mistake
+    mistake: Mistake[Maker]
     work: Work
 
 
@@ -49,7 +50,7 @@ def candidates(
     work: Work,
     setting: Setting,
     earlier: Candidate | None = None,
-    among: Sequence[Mistake] = MISTAKES,
+    among: Sequence[Mistake[Maker]] = MISTAKES,
     name: str = "",
 ) -> Iterator[Candidate]:
     """Single mistakes in a work.
@@ -65,22 +66,13 @@ def candidates(
         if earlier is not None and (mistake.level < earlier.mistake.level or mistake.alone or earlier.mistake.alone):
             continue
         for where, changed in mistake.made(work, setting):
-            slip = slip_of(mistake, where)
-            yield Candidate((*(earlier.slips if earlier else ()), slip), mistake, changed)
+            yield Candidate((*(earlier.slips if earlier else ()), mistake.slip(where)), mistake, changed)
 
 
-def _called(name: str) -> tuple[Mistake, ...]:
+def _called(name: str) -> tuple[Mistake[Maker], ...]:
     """The kind of mistake with a name such as `alpha-sign 2`; nothing if there is none."""
     kind = BY_ID.get(name.partition(" ")[0])
     return (kind,) if kind else ()
-
-
-def slip_of(mistake: Mistake, where: str) -> Slip:
-    """A mistake in its place."""
-    entry, _, term = where.partition(" ")
-    place = {"where": where, "row": entry.split(",")[0].split(".")[0], "entry": entry, "term": term}
-    name = f"{mistake.id} {where}".strip()
-    return Slip(name, mistake.words.format(**place), mistake.hint.format(**place), mistake.rank)
 
 
 def table_candidates(

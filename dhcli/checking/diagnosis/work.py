@@ -6,9 +6,9 @@ compare them with an answer, and over terms to write an answer that holds the mi
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import field
-from enum import Enum
+from enum import Enum, IntEnum
 from fractions import Fraction
 from functools import partial
 from typing import TypeAlias, TypeVar
@@ -124,6 +124,20 @@ class Setting:
         if key not in self.factors:
             self.factors[key] = make()
         return self.factors[key]
+
+
+class Level(IntEnum):
+    """At what stage of the work a mistake is made."""
+
+    TABLE = 1
+    PRODUCT = 2
+    MATRIX = 3
+
+
+Made: TypeAlias = Iterator[tuple[str, Work]]
+"""Where a mistake is made, such as `2` or `2 1`, and the work that holds it."""
+
+Maker: TypeAlias = Callable[[Work, Setting], Made]
 
 
 def right_work(question: Wanted, robot: Robot | None, setting: Setting) -> Work:

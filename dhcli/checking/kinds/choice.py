@@ -88,6 +88,7 @@ class ChoiceQuestion(Question[int]):
         """The numbers of the statements that these words are; else, but for `whole`, of those in which they stand."""
         typed, options = _words_of(answer), [_words_of(option) for option in self.options]
         found = [number for number, words in enumerate(options, 1) if words == typed]
+        found = found or [number for number, words in enumerate(options, 1) if _glued(words) == _glued(typed)]
         if found or whole or not typed:
             return found
         return [number for number, words in enumerate(options, 1) if _holds(words, typed)]
@@ -105,6 +106,11 @@ def _words_of(text: str) -> list[str]:
     """The words of a statement, without the marks of a sentence around them; signs of formulas stay."""
     words = (word.strip(_MARKS) for word in text.casefold().split())
     return [word for word in words if word]
+
+
+def _glued(words: list[str]) -> str:
+    """Words as one, so that HD is H D, and `4,5,6` is `4, 5 and 6`."""
+    return "".join(word.replace(",", "") for word in words if word not in ("and", "&"))
 
 
 def _holds(words: list[str], typed: list[str]) -> bool:

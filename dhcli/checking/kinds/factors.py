@@ -77,10 +77,9 @@ class FactorsQuestion(AlternativesQuestion[Chain]):
 
     def alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[Chain]]:
         """Slips in the moves of the link, each move a factor of its own."""
-        from dhcli.checking.diagnosis.mistakes import Level
         from dhcli.checking.diagnosis.mistakes.changes import OTHER
         from dhcli.checking.diagnosis.slips import candidates, setting_of
-        from dhcli.checking.diagnosis.work import Factor, Multiplied, Work
+        from dhcli.checking.diagnosis.work import Factor, Level, Multiplied, Work
 
         exercise, robot = case.exercise, case.exercise.robot
         if robot is None:

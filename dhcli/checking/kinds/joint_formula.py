@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import partial
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.linked import needed
-from dhcli.checking.pasted import UnreadableError, WrongUnitError
+from dhcli.checking.other_unit import refuse_right_in
+from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving import covering
 from dhcli.checking.solving.covering import Asked
@@ -131,8 +133,9 @@ class JointFormulaQuestion(Question[Formula]):
         expected = typed_text(derivation, self.joints)
         if outcome.is_right:
             return Mark(Verdict.RIGHT, formula.text, earned=1.0, expected=expected)
-        if other := self._other_unit(case, reading):
-            raise WrongUnitError(other, f"this sheet is in {case.exercise.unit}")
+        if formula.has_measures:
+            exercise = case.exercise
+            refuse_right_in(exercise.other_units, exercise.unit, partial(self._is_right_in, case, reading.text))
         earned, remarks = 0.0, tuple(told(outcome, cases, self._asked, self._candidates(derivation), formula.text))
         if outcome.is_sound:
             earned = outcome.share
@@ -140,14 +143,11 @@ class JointFormulaQuestion(Question[Formula]):
             earned = EARNED_TOO_MUCH
         return Mark(Verdict.WRONG, formula.text, remarks=remarks, earned=earned, expected=expected)
 
-    def _other_unit(self, case: Case, reading: Reading[Formula]) -> str:
-        """The unit in which all numbers of a wrong formula are right lengths, if there is one."""
-        for unit in case.exercise.other_units if reading.value.has_measures else ():
-            there = Case(case.part, case.memo.in_unit(unit))
-            formula = self.read(there, reading.text)
-            if covering.tried(formula, self._cases(there), self._asked, self._derivation(there).robot).is_right:
-                return unit
-        return ""
+    def _is_right_in(self, case: Case, text: str, unit: str) -> bool:
+        """Whether all numbers of a formula are right lengths in another unit."""
+        there = Case(case.part, case.memo.in_unit(unit))
+        formula = self.read(there, text)
+        return covering.tried(formula, self._cases(there), self._asked, self._derivation(there).robot).is_right
 
     def slips(self, case: Case) -> Iterator[Slip]:
         return (slip for slip, _, _ in self._showing(case))

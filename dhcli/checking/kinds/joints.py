@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, ClassVar, Self
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.kinds.linked import needed
-from dhcli.checking.pasted import UnreadableError, WrongUnitError
+from dhcli.checking.other_unit import refuse_right_in
+from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving.goal import read_target, solutions
 from dhcli.checking.solving.question import Vectors, WantedJoints
 from dhcli.checking.solving.reading import read_vectors
-from dhcli.checking.solving.vectors import RADIANS, in_unit, is_clear, other_units
+from dhcli.checking.solving.vectors import in_unit, other_units, shows_unit
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.frozen import frozen
@@ -116,13 +117,14 @@ class JointsQuestion(WantedJoints):
         if not wanted:
             raise self._none_found(found)
         mark = marked(self, case, field, found, wanted, reading.value)
-        for unit in other_units(field) if mark.verdict.passed is False else ():
+
+        def is_right(unit: str) -> bool:
             meant = tuple(in_unit(field, one, unit) for one in reading.value)
-            if meant == reading.value or not is_clear(field, meant, unit, case.tolerance):
-                continue
-            if marked(self, case, field, found, wanted, meant).verdict is Verdict.RIGHT:
-                in_degrees = "bare angles are in degrees: write rad behind them"
-                raise WrongUnitError(unit, in_degrees if unit == RADIANS else f"this sheet is in {case.exercise.unit}")
+            plain = meant != reading.value and shows_unit(field, meant, unit, case.tolerance)
+            return plain and marked(self, case, field, found, wanted, meant).verdict is Verdict.RIGHT
+
+        if mark.verdict.passed is False:
+            refuse_right_in(other_units(field), case.exercise.unit, is_right)
         return mark
 
     def findings(self, case: Case, where: tuple[str | int, ...]) -> Iterable[Finding]:

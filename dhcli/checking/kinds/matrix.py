@@ -13,7 +13,7 @@ from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Judged, Matrices, Overlaid, Points, Reading, Shown
 from dhcli.checking.truth import is_length, names_in, truth_of, unvalued
-from dhcli.checking.verdicts import IN_OTHER_UNIT, UNSOLVED, Mark, Verdict
+from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
 from dhcli.checking.wanted import Composed, Wanted, read_wanted
 from dhcli.errors import DhcliError, NotationError, Place, Problem
 from dhcli.frozen import frozen
@@ -151,7 +151,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
 
     def mark(self, case: Case, reading: Reading[Entries]) -> Mark:
         from dhcli.checking.diagnosis.plausible import at_a_point, is_trivial
-        from dhcli.checking.other_unit import mark_measured
+        from dhcli.checking.numeric import mark_measured
         from dhcli.checking.symbolic import mark_symbols
 
         exercise, entries = case.exercise, reading.value
@@ -222,7 +222,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         from dhcli.checking.diagnosis.geometry import HALVES, geometry
         from dhcli.checking.diagnosis.typed import typed_answer
 
-        if mark.remarks and mark.remarks[0].startswith(IN_OTHER_UNIT):
+        if mark.is_in_other_unit:
             return mark
         try:
             typed = typed_answer(case, self, reading.value)

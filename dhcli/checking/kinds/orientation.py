@@ -15,7 +15,8 @@ from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.forms import Form, form_of
 from dhcli.checking.lists import flat, with_unit_inside
 from dhcli.checking.orientations import angle_between, transposed, turned
-from dhcli.checking.pasted import UnreadableError, WrongUnitError
+from dhcli.checking.other_unit import RADIANS, WrongUnitError
+from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.tolerance import judge
 from dhcli.checking.truth import names_in, truth_of, unvalued
@@ -151,7 +152,7 @@ class OrientationQuestion(Question[Turn]):
         if verdict is not Verdict.RIGHT and turn.bare:
             in_radians = [math.degrees(v) if k in self.form.angles else v for k, v in enumerate(turn.values)]
             if judge(angle_between(self.form.rotation(in_radians), right), 0.0, limit) is Verdict.RIGHT:
-                raise WrongUnitError("radians", "bare angles are in degrees: write rad behind them")
+                raise WrongUnitError(RADIANS, case.exercise.unit)
         remarks = () if verdict is Verdict.RIGHT else (turned(self.form.rotation(turn.values), right),)
         earned = float(verdict is Verdict.RIGHT)
         return Mark(verdict, self.form.text(turn.values), (), remarks, earned, self.expected(case))

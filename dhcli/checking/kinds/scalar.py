@@ -8,7 +8,6 @@ from functools import partial
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.alternatives import Alternative, AlternativesQuestion
-from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.values import TypedValue, is_right_value, mark_value, quantity_of, read_typed_value, spelled_value
@@ -74,10 +73,9 @@ class ScalarQuestion(AlternativesQuestion[TypedValue]):
         kind = name.partition(" ")[0]
         for mistake in (one for one in IN_VALUES if kind in ("", one.id)):
             for where, expr in mistake.made(self.expr, case.exercise):
-                slip = Slip(f"{mistake.id} {where}".strip(), mistake.words.format(where=where), mistake.hint)
                 value = quantity_of(expr, case.exercise)
                 yield Alternative(
-                    slip,
+                    mistake.slip(where),
                     spelled_value(value, case.exercise),
                     partial(is_right_value, case.exercise, value, tolerance=case.tolerance),
                 )

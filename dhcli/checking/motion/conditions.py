@@ -29,6 +29,10 @@ _BETWEEN = regex(r"(,|;|\n|\bor\b|\u2228|\band\b|&+|∧)")
 _AND = regex(r"and|&+|∧")
 _TURNS = regex(r"(?P<first>.*?)[+±]?\s*\b[knm]\s*[*·]?\s*(?:180(?:\s*°|\s*deg)?|pi|π)")
 """`k*180°`, `90° + n*pi`: half turns as often as one likes."""
+_EITHER = regex(
+    r"(?P<first>[+−-]?(?:0|[\d.]{1,9}\s?°))\s?/\s?(?P<other>[+−-]?(?:0|90|180|270|360|[^/]{0,20}(?:°|deg|pi|π)))"  # noqa: RUF001
+)
+"""`0°/180°`: one or the other, for nobody divides an angle by an angle here."""
 
 HALF_TURN, TURN = 180, 360
 LONGEST = 2000
@@ -103,9 +107,11 @@ def _groups(text: str, *, joined: bool) -> list[list[tuple[str, list[str]]]]:
 
 
 def _each(right: str) -> Iterator[str]:
-    """The values that a right side stands for: two for ±90° and for k*180°."""
-    turns = _TURNS.fullmatch(right)
-    if turns:
+    """The values that a right side stands for: two for ±90°, for k*180° and for 0°/180°."""
+    turns, either = _TURNS.fullmatch(right), _EITHER.fullmatch(right)
+    if either:
+        yield from (either["first"], either["other"])
+    elif turns:
         first = turns["first"].strip() or "0°"
         yield from (first, f"{first} + 180°")
     elif right.startswith("±"):

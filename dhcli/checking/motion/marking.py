@@ -10,11 +10,10 @@ from dhcli.checking.entries import Entries, Entry, entries_text, values_of
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.grid import Grid, scale_of, typed
 from dhcli.checking.motion.reading import as_read
-from dhcli.checking.pasted import WrongUnitError
+from dhcli.checking.other_unit import InUnit, is_clear, judged_in, plainly_in
 from dhcli.checking.symbolic import about_equal, counterexample, has_decimals, same
-from dhcli.checking.tolerance import CLEAR, is_rounding_of, judge, typed_decimals, without_unit
-from dhcli.checking.verdicts import AGREEING, IN_OTHER_UNIT, CellMark, Mark, Verdict, worst
-from dhcli.frozen import frozen
+from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals, without_unit
+from dhcli.checking.verdicts import AGREEING, CellMark, Mark, Verdict, worst
 from dhcli.notation.writer import write
 
 
@@ -27,20 +26,12 @@ def mark_grid(case: Case, right: Grid, entries: Entries) -> Mark:
     exercise = case.exercise
     if not exercise.numeric:
         return _marked(exercise, entries, _in_symbols(exercise, right, entries))
-    own = mark_numbers(case, exercise, right, entries)
-    mark = _marked(exercise, entries, own)
-    other = None if mark.verdict in AGREEING else in_other_unit(case, right, entries, own)
+    mark = _marked(exercise, entries, mark_numbers(case, exercise, right, entries))
+    other = None if mark.verdict in AGREEING else in_other_unit(case, right, entries, mark.cells)
     if other is None:
         return mark
-    there = _marked(exercise, entries, other.cells)
-    if there.verdict in AGREEING:
-        digits = ", to the digits typed" if there.verdict is Verdict.ROUNDED else ""
-        power = {power for row in right.powers for power in row if power}
-        raised = {2: "²", 3: "³"}.get(power.pop(), "") if len(power) == 1 else ""
-        raise WrongUnitError(other.unit, f"this sheet is in {exercise.unit}", f"{raised}{digits}")
-    remark = f"{IN_OTHER_UNIT}{other.unit}; this sheet is in {exercise.unit}: the rest is judged in {other.unit}"
-    cells = tuple(replace(cell, expected=one.expected) for cell, one in zip(other.cells, own, strict=True))
-    return replace(mark, verdict=Verdict.WRONG, cells=cells, remarks=(remark, *there.remarks))
+    power = {power for row in right.powers for power in row if power}
+    return judged_in(other, mark, exercise.unit, {2: "²", 3: "³"}.get(power.pop(), "") if len(power) == 1 else "")
 
 
 def _marked(exercise: Exercise, entries: Entries, cells: tuple[CellMark, ...]) -> Mark:
@@ -59,30 +50,13 @@ def _marked(exercise: Exercise, entries: Entries, cells: tuple[CellMark, ...]) -
     return Mark(verdict, reading, cells, remarks, _earned(cells, numeric=exercise.numeric), expected)
 
 
-@frozen
-class InUnit:
-    """An answer read in another unit than that of the sheet.
-
-    Attributes:
-        unit: The unit.
-        entries: The answer in metres, its bare lengths in that unit.
-        cells: The judgement of each entry.
-    """
-
-    unit: str
-    entries: Entries
-    cells: tuple[CellMark, ...]
-
-
 def in_other_unit(case: Case, right: Grid, entries: Entries, own: Sequence[CellMark]) -> InUnit | None:
-    """A wrong answer whose lengths are plainly in another unit than that of the sheet, read in that one.
-
-    They are where a length that is not near zero is right there and not here, and none is right here alone.
-    """
+    """A wrong answer whose lengths are plainly in another unit than that of the sheet, read in that one."""
     exercise, tolerance = case.exercise, case.tolerance
     truth = right.numbers(exercise)
     limits = right.limits(truth, tolerance.position, tolerance.rotation)
-    for unit in exercise.other_units:
+
+    def read(unit: str) -> InUnit:
         there = case.memo.in_unit(unit).exercise
         moved = tuple(
             tuple(
@@ -91,16 +65,14 @@ def in_other_unit(case: Case, right: Grid, entries: Entries, own: Sequence[CellM
             )
             for row, powers in zip(entries, right.powers, strict=True)
         )
-        cells = mark_numbers(case, there, right, moved)
-        clear = [
-            (here.verdict in AGREEING, other.verdict in AGREEING)
-            for here, other in zip(own, cells, strict=True)
-            if right.powers[here.row][here.column]
-            and abs(truth[here.row][here.column]) > CLEAR * limits[here.row][here.column]
-        ]
-        if (False, True) in clear and (True, False) not in clear:
-            return InUnit(unit, moved, cells)
-    return None
+        return InUnit(unit, moved, _marked(exercise, entries, mark_numbers(case, there, right, moved)))
+
+    lengths = [
+        (value, limit) if power and is_clear(value, limit) else (0.0, 0.0)
+        for row in zip(truth, limits, right.powers, strict=True)
+        for value, limit, power in zip(*row, strict=True)
+    ]
+    return plainly_in(map(read, exercise.other_units), own, lengths)
 
 
 def _in_rows(cells: Sequence[str], width: int) -> str:

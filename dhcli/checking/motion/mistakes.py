@@ -8,8 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from enum import IntEnum
 from functools import lru_cache, partial
+from typing import TypeAlias
 
+from dhcli.checking.diagnosis.record import Catalogue
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.motion.columns import (
     MOST_VECTORS,
@@ -23,7 +26,6 @@ from dhcli.checking.motion.columns import (
     origin_of,
 )
 from dhcli.checking.motion.differentiated import differentiated
-from dhcli.checking.motion.record import ColumnCatalogue, Made, Stage
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.frames import ORIGIN
 from dhcli.notation.angle import Angle
@@ -32,7 +34,20 @@ from dhcli.notation.tree import Expr, Trig, negate, number
 from dhcli.notation.trig import swapped
 from dhcli.notation.walk import rebuild, substitute
 
-IN_COLUMNS = ColumnCatalogue()
+Made: TypeAlias = Iterator[tuple[str, Columns]]
+
+
+class Level(IntEnum):
+    """At what stage of the work a mistake is made."""
+
+    FRAMES = 0
+    COLUMNS = 1
+    SIGNS = 2
+    WRITING = 3
+    ORDER = 4
+
+
+IN_COLUMNS: Catalogue[Callable[[Columns], Made]] = Catalogue(Level.COLUMNS, Rank.WHOLE)
 """In the order in which they are tried and named."""
 
 
@@ -46,10 +61,7 @@ def made(columns: Columns, kind: str = "") -> Iterator[tuple[Slip, Columns]]:
     for mistake in IN_COLUMNS:
         if kind in ("", mistake.id):
             for where, changed in mistake.made(columns):
-                slip = Slip(
-                    f"{mistake.id} {where}".strip(), mistake.words.format(where=where), mistake.hint, mistake.rank
-                )
-                yield slip, changed
+                yield mistake.slip(where), changed
 
 
 def then(columns: Columns, first: Slip) -> Iterator[tuple[Slip, Columns]]:
@@ -58,7 +70,7 @@ def then(columns: Columns, first: Slip) -> Iterator[tuple[Slip, Columns]]:
     before = place[first.name.partition(" ")[0]]
     for mistake in IN_COLUMNS:
         is_again = mistake is before and mistake.rank is Rank.PLACE
-        if mistake.stage > before.stage or is_again or (mistake, before) == (place["reference"], place["in-frame"]):
+        if mistake.level > before.level or is_again or (mistake, before) == (place["reference"], place["in-frame"]):
             for slip, changed in made(columns, mistake.id):
                 if not is_again or slip.name > first.name:
                     yield slip, changed
@@ -102,7 +114,7 @@ def _turned(columns: Columns, arm: Callable[[Column], Vector]) -> Columns:
     "in-frame",
     "the vectors are written along the axes of frame {where}",
     "along the axes of which frame are the vectors asked for?",
-    stage=Stage.FRAMES,
+    level=Level.FRAMES,
 )
 def in_frame(columns: Columns) -> Made:
     """All vectors in another frame, such as the end frame for the base frame."""
@@ -121,7 +133,7 @@ def _elsewhere(columns: Columns) -> tuple[str, ...]:
     "joint-kind",
     "the column of joint {where} is that of the other kind of joint, turning for sliding",
     "which joints turn, and which slide?",
-    Rank.PLACE,
+    rank=Rank.PLACE,
 )
 def joint_kind(columns: Columns) -> Made:
     """For a slide z x (p - o) above z, for a turn z above 0."""
@@ -158,7 +170,7 @@ def axis_shifted(columns: Columns) -> Made:
     "slide-turns",
     "the column of the slide {where} has an angular part, and a slide turns nothing",
     "what does a slide turn?",
-    Rank.PLACE,
+    rank=Rank.PLACE,
 )
 def slide_turns(columns: Columns) -> Made:
     """Z above z, where 0 belongs below."""
@@ -185,8 +197,8 @@ def one_axis(columns: Columns) -> Made:
     "zero-turned",
     "the angle {where} counts from another zero, a quarter turn away",
     "where does the arm point when its angles are 0?",
-    Rank.PLACE,
-    stage=Stage.WRITING,
+    rank=Rank.PLACE,
+    level=Level.WRITING,
 )
 def zero_turned(columns: Columns) -> Made:
     """Links along x0 that lie along y0 at zero, or the other way round."""
@@ -200,8 +212,8 @@ def zero_turned(columns: Columns) -> Made:
     "joint-left-out",
     "joint {where} is left out: its column is 0",
     "does every joint have a column?",
-    Rank.PLACE,
-    stage=Stage.WRITING,
+    rank=Rank.PLACE,
+    level=Level.WRITING,
 )
 def joint_left_out(columns: Columns) -> Made:
     """A column of zeros, such as where z_0 is forgotten."""
@@ -213,7 +225,7 @@ def joint_left_out(columns: Columns) -> Made:
     "cross-reversed",
     "the cross product is taken the wrong way round",
     "which vector comes first in z x (p - o)?",
-    stage=Stage.SIGNS,
+    level=Level.SIGNS,
 )
 def cross_reversed(columns: Columns) -> Made:
     """(p - o) x z."""
@@ -277,7 +289,7 @@ def sums_from_base(columns: Columns) -> Made:
     "reference",
     "the velocity is that of the origin of frame {where}",
     "whose velocity is asked for: which point moves?",
-    stage=Stage.FRAMES,
+    level=Level.FRAMES,
 )
 def reference(columns: Columns) -> Made:
     """Another reference point, such as the origin one frame short of the end."""
@@ -294,7 +306,7 @@ def _about(columns: Columns, point: Vector) -> Columns:
 
 
 @IN_COLUMNS(
-    "angular-dropped", "the angular velocities are 0", "how does each joint turn the end frame?", stage=Stage.WRITING
+    "angular-dropped", "the angular velocities are 0", "how does each joint turn the end frame?", level=Level.WRITING
 )
 def angular_dropped(columns: Columns) -> Made:
     """Zeros in the place of ω."""
@@ -302,7 +314,7 @@ def angular_dropped(columns: Columns) -> Made:
 
 
 @IN_COLUMNS(
-    "columns-reversed", "the columns stand in the reverse order", "which joint has the first column?", stage=Stage.ORDER
+    "columns-reversed", "the columns stand in the reverse order", "which joint has the first column?", level=Level.ORDER
 )
 def columns_reversed(columns: Columns) -> Made:
     """The last joint first."""
@@ -315,8 +327,8 @@ def columns_reversed(columns: Columns) -> Made:
     "sin-cos",
     "sines and cosines have changed places",
     "from which axis are the angles measured?",
-    Rank.SYMPTOM,
-    stage=Stage.WRITING,
+    rank=Rank.SYMPTOM,
+    level=Level.WRITING,
 )
 def sine_cosine(columns: Columns) -> Made:
     """Sine for cosine and back, everywhere."""

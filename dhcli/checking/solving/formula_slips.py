@@ -8,7 +8,7 @@ from itertools import combinations, islice
 
 from dhcli.algebra.points import draws
 from dhcli.checking.diagnosis.by_entry import slip_in
-from dhcli.checking.diagnosis.mistakes.in_terms import TERM_MAKERS, Among
+from dhcli.checking.diagnosis.mistakes.in_terms import IN_ENTRY, Among
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.terms import functions, lengths
 from dhcli.checking.solving.covering import Asked, Case, Known
@@ -88,11 +88,11 @@ def _changed(step: Step, robot: Robot, what: str) -> Iterator[tuple[Slip, Step]]
     angles = {name for expr in exprs for trig in functions(expr) for name in trig.angle.names}
     among = Among(tuple(sorted(angles, key=natural_key)), tuple(letters), robot.writing)
     yield from _in_whole(step, exprs, letters, what)
-    for kind, maker in TERM_MAKERS.items():
-        for part in sums if kind in OF_SUMS else exprs:
+    for mistake in IN_ENTRY:
+        for part in sums if mistake.id in OF_SUMS else exprs:
             with suppress(ZeroDivisionError, OverflowError):
-                for text, other in maker(part, among):
-                    yield slip_in(kind, text, f"the formula for {what}", what), with_other(step, part, other)
+                for text, other in mistake.made(part, among):
+                    yield slip_in(mistake.id, text, f"the formula for {what}", what), with_other(step, part, other)
 
 
 def _in_whole(step: Step, exprs: Sequence[Expr], letters: Sequence[Symbol], what: str) -> Iterator[tuple[Slip, Step]]:

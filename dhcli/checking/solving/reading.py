@@ -35,6 +35,9 @@ _ROW_LABEL = regex(
 )
 """What stands before a row, `1)`, `b)`, `Solution 1:` and `elbow up:`; a sign that stands apart is no row's."""
 
+_VALUE = regex(r"[+−-]?[\d.]{1,30}°?")  # noqa: RUF001
+_SPACED = regex(rf"\s*{_VALUE.pattern}(?:[ \t]+{_VALUE.pattern})*\s*")
+
 _BETWEEN = regex(r",?[ \t]+(?:or|and)[ \t]+|[ \t]*\n[ \t]*(?:or|and)[ \t\n]+")
 _BETWEEN_NAMED = regex(rf"(?:{_BETWEEN.pattern})(?=[^\W\d]\w*[ \t]*=)")
 
@@ -77,7 +80,7 @@ def read_vectors(
         return [_vector(exercise, robot, joints, row) for row in rows]
     body = ";".join(line for line in text.splitlines() if line.strip(" ;,"))
     groups = _groups(body)
-    lines = _lines(text, len(joints)) if several else []
+    lines = (_lines(text, len(joints)) or _between_commas(body, len(joints))) if several else []
     pieces = groups or lines or (body.split(";") if several else [body])
     pieces = [with_points(piece, (1, len(joints))) for piece in pieces]
     body = "; ".join(piece.replace(";", ",") if groups else piece for piece in pieces)
@@ -122,6 +125,13 @@ def _lines(text: str, count: int) -> list[str]:
     if len(lines) < 2 or any(row.count(";") != count - 1 or "," in row for row in rows):  # noqa: PLR2004
         return []
     return [row.replace(";", ",") for row in rows]
+
+
+def _between_commas(text: str, count: int) -> list[str]:
+    """Rows with blanks between their values and commas between the rows, `30 45, 60 -45`; else none."""
+    rows = [_VALUE.findall(row) if _SPACED.fullmatch(row) else [] for row in text.split(",")]
+    is_whole = len(rows) > 1 < count and all(len(row) == count for row in rows)
+    return [", ".join(row) for row in rows] if is_whole else []
 
 
 def _groups(text: str) -> list[str]:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from dhcli.checking.solving import covering
 from dhcli.checking.solving.covering import Asked, Case, Outcome
+from dhcli.checking.verdicts import HALF_TURN_OFF
 from dhcli.notation.tree import Expr
 
 
@@ -24,7 +25,7 @@ def told(
         by = next((name for name in ("acos", "asin", "atan(", "sqrt") if name in text and "±" not in text), "")
         yield (f"{only}: {by.strip('(')} gives one of two" if by else f"{only}: some values are missing")
     elif outcome.wrapped:
-        yield f"{only}: elsewhere it is half a turn off, as atan loses the quadrants on the left"
+        yield f"{only}: {HALF_TURN_OFF}"
     elif outcome.is_covering:
         yield "no value is missing, but some of its values solve nothing"
     else:

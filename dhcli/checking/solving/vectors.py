@@ -9,9 +9,10 @@ from dataclasses import replace
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.orientations import angle_between, angle_of, turned
+from dhcli.checking.other_unit import RADIANS, is_clear
 from dhcli.checking.solving.goal import Rows, Target
 from dhcli.checking.solving.reading import Vector
-from dhcli.checking.tolerance import CLEAR, CLOSE_FACTOR, Tolerance
+from dhcli.checking.tolerance import CLOSE_FACTOR, Tolerance
 from dhcli.checking.verdicts import Verdict
 from dhcli.frozen import frozen
 from dhcli.kinematics.fold import fold
@@ -19,8 +20,6 @@ from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import LENGTH_UNITS
-
-RADIANS = "radians"
 
 FULL_TURN = 2 * math.pi
 FAR = 0.5
@@ -66,10 +65,11 @@ def in_unit(field: Range, one: Vector, unit: str) -> Vector:
     return replace(one, values=meant)
 
 
-def is_clear(field: Range, meant: Sequence[Vector], unit: str, tolerance: Tolerance) -> bool:
+def shows_unit(field: Range, meant: Sequence[Vector], unit: str, tolerance: Tolerance) -> bool:
     """Whether vectors are right in another unit by no chance: some length that has no unit is not near zero."""
+    limit = field.limit(tolerance)
     return unit == RADIANS or any(
-        bare and name not in field.robot.angles and abs(value) > CLEAR * field.limit(tolerance)
+        bare and name not in field.robot.angles and is_clear(value, limit)
         for one in meant
         for name, value, bare in zip(field.joints, one.values, one.bare, strict=True)
     )

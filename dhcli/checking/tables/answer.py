@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 
 from dhcli.checking.exercise import Exercise, Memo
-from dhcli.checking.pasted import WrongUnitError
+from dhcli.checking.other_unit import RADIANS, WrongUnitError, refuse_right_in
 from dhcli.checking.tables.cells import given_values, mark_cells, own_values, settled
 from dhcli.checking.tables.comparing import LITERAL, SAME_MOTION
 from dhcli.checking.tables.freedoms import Drawn, Slack, end_freedoms, frame_freedoms, joint_freedoms
@@ -203,12 +203,15 @@ class TableAnswer:
         angles = [angle for row in swapped for angle in (row.alpha, row.theta)]
         plausible = all(abs(angle.radians) <= FULL_TURN for angle in angles)
         if swapped != self.plain and plausible and self.is_right(swapped):
-            here, there = ("degrees", "radians") if any(angle.radians for angle in angles) else ("radians", "degrees")
-            raise WrongUnitError(there, f"the angles of this sheet are in {here}: write -90° or -pi/2")
-        for unit in self.exercise.other_units:
+            here, there = ("degrees", RADIANS) if any(angle.radians for angle in angles) else (RADIANS, "degrees")
+            wanted = f"the angles of this sheet are in {here}: write -90° or -pi/2"
+            raise WrongUnitError(there, self.exercise.unit, wanted=wanted)
+
+        def is_right(unit: str) -> bool:
             rows = tuple(typed.in_unit(unit) for typed in self.rows)
-            if rows != self.plain and self.is_right(rows):
-                raise WrongUnitError(unit, f"this sheet is in {self.exercise.unit}")
+            return rows != self.plain and self.is_right(rows)
+
+        refuse_right_in(self.exercise.other_units, self.exercise.unit, is_right)
 
 
 def robot_of(exercise: Exercise) -> Robot:

@@ -146,15 +146,19 @@ def _solved(chosen: Chosen, word: str | None, goal: Goal, which: Which, out: Wri
         "near": near,
         "hold": held,
         "family": which.family,
-        "within_limits": which.within_limits,
         "all_turns": which.all_turns,
     }
     wanted |= {"start": question.start, "end": question.end, "parameters": question.lengths}
-    found = inverse(arm, question.pose, task=question.task, **wanted)  # type: ignore[arg-type]  # each is what it takes
-    if not len(found) and question.slack:
-        from dhcli.kinematics.inverse.as_typed import as_typed  # few poses are
+    found = inverse(arm, question.standing or question.pose, task=question.task, **wanted)  # type: ignore[arg-type]  # each is what it takes
+    if question.slack:
+        from dhcli.kinematics.inverse.as_typed import as_typed, at_limits  # few poses are
 
         found = as_typed(found, question.pose, question.slack, wanted)
+        found = at_limits(found, question.pose, question.slack, wanted)
+    if which.within_limits and len(found):
+        from dhcli.kinematics.inverse.turns import inside_only
+
+        found = inside_only(found)
     found = only_branches(found, which.branch or [])
     delivery.hand_over("inverse", question.answered(found, near, why=why), (*question.remarks, *found.remarks))
     return ExitStatus.DONE if len(found) else ExitStatus.NOT_RIGHT

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import field
 from typing import TYPE_CHECKING, cast
 
 from dhcli.cli.shell.chosen import Chosen
@@ -65,6 +66,7 @@ class Question:
         lengths: Values of lengths and constant angles.
         remarks: What was taken for something else, such as a matrix of few decimals for the nearest rotation.
         slack: By how much the decimals of a typed matrix leave an entry open; 0 where it is exact.
+        standing: Values of the joints, where the pose is given by them.
     """
 
     robot: Robot
@@ -75,6 +77,7 @@ class Question:
     lengths: Mapping[str, Value]
     remarks: tuple[str, ...] = ()
     slack: float = 0.0
+    standing: Mapping[str, Value] = field(default_factory=dict)
 
     def answered(self, found: Solutions, near: Sequence[float] | None, *, why: bool) -> InverseKinematics:
         """The question with its answer, and with how that came about if it is wanted."""
@@ -104,7 +107,9 @@ def asked(
     lengths = lengths_of(robot, chosen)
     task = task_of(goal)
     rows, remarks, slack = _rows(robot, goal, chosen, (first, last))
-    return Question(robot, rows, cast("TaskName", task), first, last, lengths, remarks, slack)
+    values = values_of(robot, chosen) if chosen.stands else {}
+    standing = {name: value for name, value in values.items() if name in robot.variables}
+    return Question(robot, rows, cast("TaskName", task), first, last, lengths, remarks, slack, standing)
 
 
 def task_of(goal: Goal) -> str:

@@ -9,6 +9,8 @@ from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING, cast
 
+import numpy as np
+
 from dhcli.cli.shell.batch import BadRows
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.console import say
@@ -40,7 +42,6 @@ from dhcli.render.text.problems import warning_line
 from dhcli.render.text.progress import row_progress
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
     from dhcli.kinematics.inverse.batch import Each
@@ -135,10 +136,14 @@ def _solved(
     poses, places = block
     try:
         q, index = wanted.solutions(poses)
+        more, beside, said = wanted.nearly(poses, index)
     except RobotError as error:
         return [Problem(p.message, Place(source, places[0]), p.hint) for p in error.problems]
+    order = np.argsort(np.concatenate([index, beside]), kind="stable")
+    q, index = np.concatenate([q, more])[order], np.concatenate([index, beside])[order]
     lost = len(poses) - len(set(index.tolist()))
-    return _Rows(len(poses), lost, len(q), spell(numbered(places, index, q)), wanted.said(poses))
+    said = "; ".join(filter(None, (said, wanted.said(poses))))
+    return _Rows(len(poses), lost, len(q), spell(numbered(places, index, q)), said)
 
 
 def _check_follow(which: Which, many: ManyPoses) -> None:

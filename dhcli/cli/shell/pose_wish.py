@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from dhcli.cli.shell.options import workers
 from dhcli.errors import Place, Problem, RobotError
@@ -12,7 +14,6 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot, Value
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
     from dhcli.cli.shell.batch import BadRows
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
     from dhcli.files.rows.source import Source
     from dhcli.kinematics.inverse.batch import Each
     from dhcli.kinematics.inverse.tasks import TaskName
+
+_NEARLY = "the arm takes no pose with exactly the digits of some rows; for those the nearest is taken"
 
 _BYTES = 1 << 22
 """Bytes of a file that are worth one more process: some ten thousand poses."""
@@ -106,18 +109,36 @@ class PoseWish:
         """
         from dhcli.kinematics.inverse.batch import inverse_batch
 
-        return inverse_batch(
-            self.robot,
-            poses,
-            task=self.task_of(poses),
-            each=self.each,
-            near=self.near,
-            hold=self.hold,
-            within_limits=self.within_limits,
-            start=self.start,
-            end=self.end,
-            parameters=self.lengths,
-        )
+        wish = {"each": self.each, "within_limits": self.within_limits}
+        return inverse_batch(self.robot, poses, task=self.task_of(poses), **wish, **self._asked)  # type: ignore[arg-type]  # what it takes
+
+    @property
+    def _asked(self) -> dict[str, Any]:
+        """What is asked of one pose and of many alike."""
+        seen = {"start": self.start, "end": self.end, "parameters": self.lengths}
+        return {"near": self.near, "hold": self.hold, **seen}
+
+    def nearly(
+        self, poses: NDArray[np.float64], index: NDArray[np.int64]
+    ) -> tuple[NDArray[np.float64], NDArray[np.int64], str]:
+        """Joint values for poses that an arm of few joints takes nearly, and not with exactly their digits.
+
+        Args:
+            poses: The poses.
+            index: Numbers of those with solutions.
+
+        Returns:
+            Joint values, the number of the pose of each, and what a reader should know of them, if anything.
+        """
+        lost = sorted(set(range(len(poses))) - set(index.tolist()))
+        if not lost or poses.ndim != 3:  # noqa: PLR2004  matrices
+            return np.empty((0, len(self.robot.variables))), np.empty(0, dtype=np.int64), ""
+        from dhcli.kinematics.inverse.as_typed import poses_as_typed
+
+        taken = poses_as_typed(self.robot, poses, lost, self.task_of(poses), self._asked)
+        rows = np.array(list(taken), dtype=np.int64)
+        q, at = self.solutions(np.array(list(taken.values())).reshape(-1, 4, 4))
+        return q, rows[at], _NEARLY if taken else ""
 
     def said(self, poses: NDArray[np.float64]) -> str:
         """What a reader should know of their solutions, if anything."""

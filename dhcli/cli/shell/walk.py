@@ -26,7 +26,7 @@ COMMANDS = {
     "why": "the slip behind your last answer, by its name",
     "skip": "leave this part and go on, as an empty line does",
     "back": "to the part before",
-    "quit": "ends, as exit, Ctrl-D and Ctrl-C do, and sums up",
+    "quit": "ends, as q, exit, Ctrl-D and Ctrl-C do, and sums up",
     "help": "this list",
 }
 ARROWS = "The arrow keys edit a line and bring back what you typed."
@@ -174,7 +174,7 @@ class _Walk:
             word = "" if line.strip() in self.judge.exercise.scope.names else line.strip().lower()
             if word in ("skip", "back"):
                 return Step.ON if word == "skip" else Step.BACK
-            if word in ("quit", "exit"):
+            if word in ("quit", "exit", "q"):
                 return Step.END
             if word in ("?", "hint", "why", "help"):
                 self.tell(part, word)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from itertools import chain
 from operator import itemgetter
 from typing import Any
@@ -58,32 +58,19 @@ class JsonRows:
             )
 
     def _at_once(self, first: int, lines: list[str]) -> Block | None:
-        """All rows of a block, if there is nothing to say about any of them.
-
-        Parsed as one list, lines could pass for other rows than they are: `[1,2],[3,4]` for two. So every line begins
-        and ends as a row does, there are as many rows as lines, and each row holds numbers and nothing else.
-        """
-        begin, end = ("{", "}") if lines[0].startswith("{") else ("[", "]")
-        text = ",".join(lines)
-        if (
-            not all(line.startswith(begin) and line.endswith(end) for line in lines)
-            or ("u" in text and "true" in text)  # most names have no u, and one letter is found sooner than a word
-            or ("f" in text and "false" in text)
-        ):
+        """All rows of a block, if there is nothing to say about any of them."""
+        rows = parsed_at_once(lines, "{" if lines[0].startswith("{") else "[")
+        if rows is None:
             return None
         try:
-            rows = read_json(f"[{text}]")
-            names = tuple(rows[0]) if begin == "{" else ()
+            names = tuple(rows[0]) if isinstance(rows[0], dict) else ()
             columns = self._columns(names, Place("")) if names else self._asked.in_order(len(rows[0]))
-            # Twice as many quotes as names: no name comes twice in an object, and no value is text.
-            if len(rows) != len(lines) or text.count('"') != 2 * len(names) * len(rows):
-                return None
             if names:
                 table = np.fromiter(chain.from_iterable(map(_picker(names), rows)), np.float64, len(rows) * len(names))
                 table = table.reshape(len(rows), len(names))
             else:
                 table = np.array(rows, dtype=np.float64)
-        except (ValueError, TypeError, KeyError, OverflowError, RecursionError, FileError):
+        except (ValueError, TypeError, KeyError, OverflowError, FileError):
             return None
         if table.shape != (len(rows), columns.width) or not np.isfinite(table).all():
             return None
@@ -148,6 +135,29 @@ class JsonRows:
             places = [place] * len(names)
             self._known[names] = self._asked.columns(names, places, place)
         return self._known[names]
+
+
+def parsed_at_once(lines: Sequence[str], begin: str) -> list[Any] | None:
+    """The rows of some lines, objects `{` or lists `[`, if there is nothing to say about how they are written.
+
+    Parsed as one list, lines could pass for other rows than they are: `[1,2],[3,4]` for two. So every line begins and
+    ends as a row does, there are as many rows as lines, none has another of its kind in it, and nothing is text.
+    """
+    text, end = ",".join(lines), {"{": "}", "[": "]"}[begin]
+    if (
+        not all(line.startswith(begin) and line.endswith(end) for line in lines)
+        or not text.count(begin) == text.count(end) == len(lines)
+        or ("u" in text and "true" in text)  # most names have no u, and one letter is found sooner than a word
+        or ("f" in text and "false" in text)
+    ):
+        return None
+    try:
+        rows: list[Any] = read_json(f"[{text}]")
+        # Twice as many quotes as names: no name comes twice in an object, and no value is text.
+        quotes = 2 * sum(map(len, rows)) if begin == "{" else 0
+    except (ValueError, TypeError, RecursionError):
+        return None
+    return rows if len(rows) == len(lines) and text.count('"') == quotes else None
 
 
 class _Object:

@@ -14,10 +14,10 @@ from dhcli.files.rows.blocks import Block, Sieve, cell_problem
 from dhcli.files.rows.cells import CellError, json_number
 from dhcli.files.rows.csvrows import CsvRows
 from dhcli.files.rows.formats import Rows, format_of
+from dhcli.files.rows.jsonrows import parsed_at_once
 from dhcli.files.rows.npyrows import NpyArray, place_in_array
 from dhcli.files.rows.posecolumns import MATRIX, TURNS, PoseTable, check_alone, directions, posed
 from dhcli.files.rows.source import Source, parted, text_blocks
-from dhcli.notation.decimals import read_json
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -120,31 +120,16 @@ def _gathered(form: str, sieve: Sieve) -> Block:
 
 
 def _objects_at_once(lines: list[str]) -> NDArray[np.float64] | None:
-    """The poses of some lines, a row of numbers each; None if there is anything to say about one of them.
-
-    Parsed as one list, lines could pass for other objects than they are. So each begins and ends as an object does and
-    has no bracket of another one in it, and nothing in them is text.
-    """
-    text = ",".join(lines)
-    if not (
-        all(line.startswith("{") and line.endswith("}") for line in lines)
-        and text.count("{") == text.count("}") == len(lines)
-        and "true" not in text
-        and "false" not in text
-    ):
+    """The poses of some lines, a row of numbers each; None if there is anything to say about one of them."""
+    rows = parsed_at_once(lines, "{")
+    if rows is None:
         return None
     try:
-        rows = read_json(f"[{text}]")
         key = "matrix" if "matrix" in rows[0] else "position"
         table = np.array([row[key] for row in rows], dtype=np.float64)
-    except (ValueError, TypeError, KeyError, OverflowError, RecursionError):
+    except (ValueError, TypeError, KeyError, OverflowError):
         return None
-    if (
-        len(rows) != len(lines)
-        or text.count('"') != 2 * sum(map(len, rows))
-        or not np.isfinite(table).all()
-        or (key == "position" and any(len(row) > 1 for row in rows))
-    ):
+    if not np.isfinite(table).all() or (key == "position" and any(len(row) > 1 for row in rows)):
         return None
     if key == "matrix":
         return table[:, :3].reshape(-1, len(MATRIX)) if table.shape[1:] in {(3, 4), (4, 4)} else None

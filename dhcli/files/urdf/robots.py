@@ -47,8 +47,7 @@ def read_urdf(
     said = f"the URDF {source}, from link {joints[0].parent} to link {joints[-1].child}"
     beside = frozenset(joint.name for joint in model.joints).difference(joint.name for joint in joints)
     own, alone = _with_leaders(joints, beside)
-    robot = robot_of_joints(own, name, model.name or name, said, as_typed=as_typed)
-    return replace(robot, remarks=(*robot.remarks, *alone))
+    return robot_of_joints(own, name, model.name or name, said, as_typed=as_typed, told=alone)
 
 
 def _with_leaders(joints: tuple[Joint, ...], beside: frozenset[str]) -> tuple[tuple[Joint, ...], list[str]]:
@@ -75,24 +74,26 @@ def _with_leaders(joints: tuple[Joint, ...], beside: frozenset[str]) -> tuple[tu
     return tuple(own), told
 
 
-def robot_of_joints(joints: tuple[Joint, ...], name: str, title: str, source: str, *, as_typed: bool) -> Robot:
-    """The robot whose joints follow each other.
+def robot_of_joints(
+    joints: tuple[Joint, ...], name: str, title: str, source: str, *, as_typed: bool, told: Sequence[str] = ()
+) -> Robot:
+    """The robot whose joints follow each other, with what is told of it beside.
 
     Raises:
         FileError: An axis has no direction, or a joint follows another.
     """
-    return _Builder(joints, Meaning(as_typed)).robot(name, title, source)
+    return _Builder(joints, Meaning(as_typed), told).robot(name, title, source)
 
 
 class _Builder:
     """Builds the links one joint after the other."""
 
-    def __init__(self, joints: tuple[Joint, ...], meaning: Meaning) -> None:
+    def __init__(self, joints: tuple[Joint, ...], meaning: Meaning, told: Sequence[str]) -> None:
         self.joints = joints
         self.meaning = meaning
         self.shifts: list[tuple[float, int]] = []
         self.lengths: list[float] = []
-        self.remarks: list[str] = []
+        self.remarks = list(told)
         self.moving = tuple(joint for joint in joints if joint.kind != "fixed")
 
     def robot(self, name: str, title: str, source: str) -> Robot:

@@ -19,6 +19,7 @@ from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, Pla
 from dhcli.files.yaml.prose import folded
 from dhcli.files.yaml.robot_line import robot_line, values_text
 from dhcli.frozen import frozen
+from dhcli.notation.names import parts
 from dhcli.safe import one_line, yaml_scalar
 
 KEYS = ("exercise", "answers", "variant", "given", "name")
@@ -168,15 +169,22 @@ def _units(exercise: Exercise) -> Iterator[str]:
         unit = f": lengths in {exercise.unit} unless a unit stands with them" if has_unit else " without a unit"
         yield f"Numbers{unit}; 0.7071 or sqrt(2)/2 are both fine."
     elif any(question.has_cosines for question in questions):
-        yield "Symbols: c1 for cos(theta1), s23 for sin(theta2 + theta3), or written out."
-        rows = (
-            "; in a row of a matrix, where a blank begins the next cell, a1*c1 or a1c1"
-            if any(question.in_rows for question in questions)
-            else ""
-        )
-        yield f"Products: a1*c1, a1c1 or a1 c1{rows}."
+        yield from _symbols(exercise, in_rows=any(question.in_rows for question in questions))
         if exercise.unit not in ("m", "none"):
             yield f"Numbers beside letters: lengths in {exercise.unit} unless a unit stands with them."
+
+
+def _symbols(exercise: Exercise, *, in_rows: bool) -> Iterator[str]:
+    """How symbols are written; the joint of a general link has a letter for its index, and c1 means nothing there."""
+    joints = [name for name in exercise.robot.variables if name in exercise.robot.angles] if exercise.robot else []
+    index = parts(joints[0])[1] if joints else ""
+    if index.isalpha():
+        short, glued, spaced = f"c_{index} for cos({joints[0]})", f"d_{index}*c_{index}", f"d_{index} c_{index}"
+    else:
+        short, glued, spaced = "c1 for cos(theta1), s23 for sin(theta2 + theta3)", "a1*c1 or a1c1", "a1 c1"
+    yield f"Symbols: {short}, or written out."
+    rows = f"; in a row of a matrix, where a blank begins the next cell, {glued}" if in_rows else ""
+    yield f"Products: {glued.replace(' or ', ', ')} or {spaced}{rows}."
 
 
 def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:

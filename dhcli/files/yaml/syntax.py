@@ -20,6 +20,7 @@ _BRACE_HINT = "a name with braces or brackets needs quotes, such as 'alpha_{i-1}
 
 _KEY = regex(r"[{,]\s*([\w-]+):\s+")
 _ONE_UNIT = regex(r"\[([^\[\]]*)\]\s*(°|deg|rad|mm|cm|m|in)")
+_IN_LIST_OR_MAPPING = regex(r"-(?:\s|$)|[^\n]{0,200}:(?:\s|$)")
 _GLUED = regex(r"([\w-]+):(\S.*)")
 _EQUALS = regex(r"([\w-]+)\s*=\s*(\S.*)")
 _NEXT_KEY = regex(r",\s*[\w-]+:\s")
@@ -174,6 +175,8 @@ def _in_quotes(here: Place) -> str:
 def _explain_leftover(here: Place, start: Place, lines: Sequence[str]) -> Problem:
     """Something that is no part of what stands before it."""
     before, rest = _split(here)
+    above = next((text for text in reversed(lines[: (here.line or 1) - 1]) if text.strip()), "")
+    column = len(above) - len(above.lstrip()) + 1
     message, hint = "this line does not line up with the lines above it", "keys of one mapping start in one column"
     if before.rstrip().endswith(("'", '"')):
         message, hint = "text follows the closing quote", "in single quotes an apostrophe is written twice: ''"
@@ -185,9 +188,11 @@ def _explain_leftover(here: Place, start: Place, lines: Sequence[str]) -> Proble
         message, hint = "a line cannot begin with '%'", "use # for a comment"
     elif before.strip():
         message, hint = "this does not belong to the value before it", "the whole value may need quotes"
+    elif column > (here.column or 1) and not _IN_LIST_OR_MAPPING.match(rest):
+        message = "this line stands further left than the text above it"
+        hint = f"the lines of one text start in one column, here in column {column}"
     elif rest.startswith("-"):
         message, hint = "a list entry stands among the keys", "entries of a list stand under their key"
-        above = next((text for text in reversed(lines[: (here.line or 1) - 1]) if text.strip()), "")
         if above.lstrip().startswith("- "):
             message = "this '- ' does not stand below that of the entry above"
             hint = f"the '- ' of one list stand in one column, here in column {above.index('-') + 1}"

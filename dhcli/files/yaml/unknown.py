@@ -15,6 +15,8 @@ OTHER_WORDS = {
     "questions": "parts",
     "tasks": "parts",
     "text": "prompt",
+    "choices": "options",
+    "correct": "right",
     "marks": "credit",
     "points": "credit",
     "score": "credit",

@@ -2,27 +2,29 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhcli.errors import RobotError, plural
+from dhcli.errors import RobotError
 from dhcli.kinematics.coupling import is_coupled
-from dhcli.kinematics.forward import Given
+from dhcli.kinematics.derived import in_floats
+from dhcli.kinematics.forward import Given, forward
 from dhcli.kinematics.inverse.branches import branch_names, factors
 from dhcli.kinematics.inverse.question import Question, ask
-from dhcli.kinematics.inverse.solutions import Free, Solutions, relation, shown_value, turning_joints
-from dhcli.kinematics.inverse.solving import Solved, solve
+from dhcli.kinematics.inverse.searching import find, nearest_to
+from dhcli.kinematics.inverse.solutions import Free, Solutions, relation, turning_joints
+from dhcli.kinematics.inverse.solving import Solved
 from dhcli.kinematics.inverse.targets import EXACT, read_targets
 from dhcli.kinematics.inverse.tasks import TaskName
 from dhcli.kinematics.inverse.trying import CONFIRMED
-from dhcli.kinematics.inverse.turns import limits_of, placed
+from dhcli.kinematics.inverse.turns import placed
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Robot, check_robot
-from dhcli.kinematics.values import JointInput
+from dhcli.kinematics.values import JointInput, joint_values
 from dhcli.notation.angle import Angle
 
 if TYPE_CHECKING:
@@ -30,15 +32,6 @@ if TYPE_CHECKING:
 
     from dhcli.kinematics.inverse.arm import Array
     from dhcli.kinematics.inverse.families import Freedom
-
-SEARCHED = 48
-"""Values of a joint held that are tried where none was asked for and the first does not do."""
-
-REACHED = 1e-6
-"""A pose nearer than this to the one asked for [reaches, rad] is reached, if the joints held stand as they do there."""
-
-SPREAD = (1.0, 0.6180339887498949, 0.7548776662466927, 0.8191725133961645, 0.5698402909980532, 0.6710436067037893)
-"""Steps, in turns, by which values of several joints are spread."""
 
 
 def inverse(  # noqa: PLR0913  what may be asked of a pose
@@ -61,7 +54,8 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
     Args:
         robot: The robot.
         T: The pose of the end frame seen from the start frame, shape (4, 4) [m]; for the position alone also a point
-            (3,), for the orientation a matrix (3, 3), for a direction a vector (3,).
+            (3,), for the orientation a matrix (3, 3), for a direction a vector (3,). Or joint values that stand
+            there, by name, in text, or as a pose of the robot's: joints that its task leaves over are held at them.
         task: What of it counts: `pose`, `position`, `orientation`, `axis` (position and direction of z), `direction`.
         near: Joint values, in whatever form `forward` takes: solutions are sorted by their distance from them.
         hold: Values of joints that are not to be computed; a robot with more joints than the task needs holds one of
@@ -83,6 +77,10 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
+    standing: dict[str, float] = {}
+    if isinstance(T, str | Mapping):
+        standing = {name: in_floats(value) for name, value in joint_values(robot, T).items()} if near is None else {}
+        T = forward(robot, T, start=start, end=end, parameters=parameters)  # noqa: N806
     if is_coupled(robot):
         from dhcli.kinematics.inverse.carried import Carried  # few robots are
         from dhcli.kinematics.inverse.coupled import through  # few robots are
@@ -91,10 +89,11 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
         if carried is not None:
             asked: dict[str, object] = {"near": near, "hold": hold, "within_limits": within_limits, "start": start}
             asked |= {"task": task, "family": family, "end": end, "parameters": parameters, "tolerance": tolerance}
-            return through(inverse, carried, T, all_turns=all_turns, **asked)
+            return through(inverse, carried, T, standing, all_turns=all_turns, **asked)
     question, held = ask(
         robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters, tolerance=tolerance
     )
+    question = replace(question, standing=standing)
     ready = question.ready
     poses, changed = read_targets(T, ready.task)
     if len(poses) != 1:
@@ -103,13 +102,14 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
     remarks = []
     if changed > EXACT:
         remarks.append(f"the direction cosines were no rotation; the nearest one was taken, {changed:.2g} away")
-    solved, said = _solved(question, goal, held, family, tolerance)
+    nearest = cache(lambda: nearest_to(ready, goal, held))
+    solved, said = find(question, goal, held, family, tolerance, nearest)
     answer = _answer(question, solved, said)
     answer = replace(answer, remarks=(*remarks, *answer.remarks))
     if not len(answer):
         from dhcli.kinematics.inverse.unreached import why_not  # not for the poses that are reached
 
-        found = why_not(ready, answer, poses[0], held, question.values)
+        found = why_not(ready, answer, poses[0], held, nearest(), question.values)
         return replace(found, closest=_easiest(question, found, held, tolerance))
     return placed(answer, question.near, within_limits=within_limits, all_turns=all_turns)
 
@@ -122,86 +122,13 @@ def _easiest(question: Question, found: Solutions, held: dict[int, float], toler
 
     ready = question.ready
     goal = product(ready.arm, question.motions(found.closest)[None])[0]
-    solved, _ = _solved(question, goal, held, None, tolerance)
+    there = question.motions(found.closest), 0.0, 0.0
+    solved, _ = find(question, goal, held, None, tolerance, lambda: there)
     if not len(solved.motions):
         return found.closest
     ways = placed(_answer(question, solved, []), question.near, within_limits=False, all_turns=False)
     far = ways.distances(question.values(question.best()).tolist())
     return np.asarray(ways.q[min(range(len(ways)), key=lambda k: (not ways.within_limits[k], far[k]))])
-
-
-def _solved(
-    question: Question, goal: Array, held: dict[int, float], family: int | None, tolerance: float
-) -> tuple[Solved, list[str]]:
-    """The solutions, and what has to be said about joints that are held without having been asked for."""
-    ready = question.ready
-    best = question.best()
-    chosen = [j for j in ready.plan.held if j not in held]
-    if not chosen:
-        fixed = {j: np.array([value]) for j, value in held.items()}
-        solved = solve(ready, goal, best, fixed, tolerance)
-        return solved if len(solved.motions) else _searched(question, goal, held, tolerance), []
-    count = family or 1
-    solved = solve(ready, goal, best, _sampled(question, held, chosen, best, count), tolerance)
-    if not len(solved.motions) and family is None:
-        solved = solve(ready, goal, best, _sampled(question, held, chosen, best, SEARCHED), tolerance)
-        if len(solved.motions):
-            distance = np.abs(solved.motions[:, chosen] - best[chosen]).sum(axis=1)
-            at = np.flatnonzero(solved.index == solved.index[int(np.argmin(distance))])
-            ways = tuple(solved.freedoms[k] for k in at)
-            solved = Solved(solved.motions[at], solved.residual[at], ways, solved.index[at])
-    if not len(solved.motions) and family is None:
-        from dhcli.kinematics.inverse.reasons import nearest_reachable  # not for the poses that are reached
-
-        motions, apart, angle = nearest_reachable(ready, goal, held)
-        if max(apart / ready.arm.reach, angle) < REACHED:
-            solved = solve(ready, goal, motions, _sampled(question, held, chosen, motions, 1), tolerance)
-    more = f"{question.robot.name} has {plural(ready.spare, 'joint')} more than this needs"
-    return solved, [f"{more}: {_held_words(question, chosen, solved, family)}"]
-
-
-def _searched(question: Question, goal: Array, held: dict[int, float], tolerance: float) -> Solved:
-    """What a search for the nearest pose finds where that is the pose itself, as where too much of it is singular."""
-    from dhcli.kinematics.inverse.reasons import nearest_reachable  # not for the poses that are reached
-
-    ready = question.ready
-    motions, apart, angle = nearest_reachable(ready, goal, held)
-    begun = motions if max(apart / ready.arm.reach, angle) < REACHED else np.full_like(motions, np.nan)
-    return solve(ready, goal, question.best(), None, tolerance, begun)
-
-
-def _held_words(question: Question, chosen: list[int], solved: Solved, family: int | None) -> str:
-    """Which joints were held, and where if it is the same for all solutions; of a family, how many values do."""
-    order = question.order
-    names = ", ".join(question.robot.variables[order[j]] for j in sorted(chosen))
-    if family:
-        reached = len(np.unique(solved.index))
-        return f"{names} sampled at {plural(family, 'value')}, {reached or 'none'} of them with solutions"
-    if not len(solved.motions):
-        return f"{names} held"
-    q = question.values(solved.motions)[0]
-    shown = [shown_value(question.robot, order[j], float(q[order[j]])) for j in sorted(chosen)]
-    return f"held {', '.join(shown)}"
-
-
-def _sampled(
-    question: Question, held: dict[int, float], chosen: list[int], best: Array, count: int
-) -> dict[int, Array]:
-    """Values of the joints held, as many for each that was chosen as asked for."""
-    ready = question.ready
-    limits = limits_of(question.robot)[list(question.order)] * ready.arm.factors[:, None]
-    if count == 1:
-        return {**{j: np.array([value]) for j, value in held.items()}, **{j: best[j : j + 1] for j in chosen}}
-    # one joint in equal steps; several so that any few of the values are spread evenly
-    steps = np.linspace(0, 1, count)
-    result = {j: np.full(count, value) for j, value in held.items()}
-    for k, j in enumerate(chosen):
-        low, high = sorted(limits[j])
-        if not (math.isfinite(low) and math.isfinite(high)):
-            half = np.pi if ready.arm.turning[j] else 1.0
-            low, high = best[j] - half, best[j] + half
-        result[j] = low + (high - low) * (steps if not k else np.arange(count) * SPREAD[k % len(SPREAD)] % 1)
-    return result
 
 
 def _answer(question: Question, solved: Solved, said: list[str]) -> Solutions:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -12,7 +13,9 @@ from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.inverse.asked import inverse
 from dhcli.kinematics.inverse.question import Question, ask
+from dhcli.kinematics.inverse.reasons import too_far
 from dhcli.kinematics.inverse.running import run
+from dhcli.kinematics.inverse.searching import find, nearest_to
 from dhcli.kinematics.inverse.solutions import turning_joints
 from dhcli.kinematics.inverse.solving import least_singular, representatives, tries
 from dhcli.kinematics.inverse.targets import read_targets
@@ -136,11 +139,29 @@ def _solved_block(question: Question, poses: Array, held: dict[int, float], tole
     fixed = {j: np.full(len(poses), held.get(j, float(best[j]))) for j in ready.plan.held}
     found = run(ready.plan, ready.task, ready.arm.goal(poses), tries(ready, best), fixed, tolerance)
     loose = np.flatnonzero(found.free)
-    if not len(loose):
+    if len(loose):
+        least = np.ones(len(found.index))
+        least[loose] = least_singular(ready, found.motions[loose])
+        found = found.take(representatives(ready, found, least)[0])
+    if ready.plan.rules == ("ONE",) and len(ready.plan.held) == len(held):
+        return found  # equations in one joint each lose none
+    return _searched(question, ready.arm.goal(poses), held, tolerance, found)
+
+
+def _searched(question: Question, goals: Array, held: dict[int, float], tolerance: float, found: Found) -> Found:
+    """What was found, and what is found of each other pose by itself, with joints to spare held elsewhere."""
+    ready = question.ready
+    lost = np.flatnonzero(np.bincount(found.index, minlength=len(goals)) == 0)
+    near = [k for k in lost.tolist() if not too_far(ready.arm, ready.task, goals[k])]
+    alone = [
+        find(question, goals[k], held, None, tolerance, partial(nearest_to, ready, goals[k], held))[0] for k in near
+    ]
+    if not any(len(each.motions) for each in alone):
         return found
-    least = np.ones(len(found.index))
-    least[loose] = least_singular(ready, found.motions[loose])
-    return found.take(representatives(ready, found, least)[0])
+    motions, residual = (np.concatenate([getattr(each, part) for each in alone]) for part in ("motions", "residual"))
+    index = np.repeat(near, [len(each.motions) for each in alone])
+    none = np.zeros_like(index)
+    return found.joined(Found(index, motions, residual, none, none, none))
 
 
 def _in_turn(question: Question, q: Array) -> Array:

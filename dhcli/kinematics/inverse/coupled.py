@@ -27,13 +27,20 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array
 
 
-def through(solve: Callable[..., Solutions], carried: Carried, T: ArrayLike | Pose[float], **asked: Any) -> Solutions:  # noqa: ANN401, N803
+def through(
+    solve: Callable[..., Solutions],
+    carried: Carried,
+    T: ArrayLike | Pose[float],  # noqa: N803
+    standing: Mapping[str, float],
+    **asked: Any,  # noqa: ANN401
+) -> Solutions:
     """Solve for the arm with a variable for each move, and carry the solutions back.
 
     Args:
         solve: What solves for an arm whose variables each make one move; see `inverse`.
         carried: The robot and that arm.
         T: The pose.
+        standing: Joint values, by name, that it was given by.
         **asked: What else `inverse` takes.
 
     Raises:
@@ -42,13 +49,13 @@ def through(solve: Callable[..., Solutions], carried: Carried, T: ArrayLike | Po
     robot, near = carried.robot, asked["near"]
     leading = Leading.of(carried, asked)
     if leading.is_needed(asked["hold"]):
-        answer = leading.solutions(T, asked)
+        answer = leading.solutions(T, asked, standing)
     else:
         ways = {"near": carried.there(near), "hold": carried.held(asked["hold"])}
         found = solve(carried.arm, T, **{**asked, **ways, "within_limits": False, "all_turns": False})
         answer = _carried(carried, found)
         if not carried.is_whole and any(found.free):  # any value of a move: few of them go with the others
-            answer = leading.solutions(T, asked, carried.nearly(found.q))
+            answer = leading.solutions(T, asked, standing, carried.nearly(found.q))
         elif not carried.is_whole and not len(found):  # how near it comes is not known of the robot
             beyond = f"nor would it if each of its {len(carried.slopes)} moves had a drive of its own"
             why = leading.what_keeps(T) or f"the arm does not reach it, {beyond}"
@@ -82,7 +89,7 @@ def through_many(
         both = zip(index.tolist(), values, strict=True)
         rows = [(row, k) for k, moves in both if k not in single and (row := carried.back(moves)) is not None]
     plain = {"within_limits": False, "all_turns": False, "family": None}
-    rows += [(row, k) for k in single for row in through(one, carried, poses[k], **asked, **plain).q]
+    rows += [(row, k) for k in single for row in through(one, carried, poses[k], {}, **asked, **plain).q]
     rows.sort(key=lambda found: found[1])
     if within_limits:
         limits = limits_of(robot)

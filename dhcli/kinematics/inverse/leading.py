@@ -19,6 +19,7 @@ from dhcli.kinematics.inverse.arm import arm_of
 from dhcli.kinematics.inverse.branches import with_values
 from dhcli.kinematics.inverse.choosing import rank
 from dhcli.kinematics.inverse.led import STARTS, Arrived, Driven, arrive, where_reached
+from dhcli.kinematics.inverse.question import stands
 from dhcli.kinematics.inverse.reasons import too_far, what_never_changes
 from dhcli.kinematics.inverse.solutions import (
     Free,
@@ -116,6 +117,7 @@ class Leading:
         self,
         T: ArrayLike | Pose[float],  # noqa: N803
         asked: Mapping[str, Any],
+        standing: Mapping[str, float],
         begun: Array | None = None,
     ) -> Solutions:
         """What is found for one pose.
@@ -123,6 +125,7 @@ class Leading:
         Args:
             T: The pose.
             asked: What else `inverse` takes.
+            standing: Joint values, by name, that it was given by; variables to spare are held at them.
             begun: Values of the robot's variables that may be near to a solution, shape (K, n).
         """
         robot, driven, at = self.carried.robot, self.driven, list(self.columns)
@@ -131,14 +134,16 @@ class Leading:
             raise RobotError(f"one pose is wanted, not {len(poses)}", "inverse_batch takes many")
         goal = driven.arm.goal(poses)[0]
         best = self._best(asked["near"])
+        stood = np.array([standing.get(name, best[j]) for j, name in enumerate(robot.variables)])
+        at_stood = stood[at] / self.units
         held = self._asked_to_hold(asked)
         chosen = driven.to_hold(tuple(held))
         more = np.empty((0, len(at))) if begun is None else begun[:, at] / self.units
         at_best = best[at] / self.units
-        standing = [dict(zip(chosen, row, strict=True)) for row in self._held(chosen, at_best, asked.get("family"))]
-        found = [arrive(driven, goal, at_best, held | more_held, more, asked["tolerance"]) for more_held in standing]
+        fixed = [dict(zip(chosen, row, strict=True)) for row in self._held(chosen, at_stood, asked.get("family"))]
+        found = [arrive(driven, goal, at_best, held | more_held, more, asked["tolerance"]) for more_held in fixed]
         if not any(len(part.x) for part in found) and chosen and not asked.get("family"):
-            other = where_reached(driven, goal, at_best, held, chosen, asked["tolerance"])
+            other = where_reached(driven, goal, at_stood, held, chosen, asked["tolerance"])
             found = [arrive(driven, goal, at_best, held | other, more, asked["tolerance"])] if other else found
         answer = self._answer(found, best, (*held, *chosen))
         remarks = [f"the direction cosines were no rotation; the nearest one was taken, {changed:.2g} away"]
@@ -147,6 +152,8 @@ class Leading:
             names = ", ".join(robot.variables[at[j]] for j in sorted(chosen))
             if len(answer) and not asked.get("family"):
                 names = ", ".join(shown_value(robot, at[j], float(answer.q[0, at[j]])) for j in sorted(chosen))
+                own = [robot.variables[at[j]] for j in chosen]
+                names += stands(dict(zip(robot.variables, answer.q[0].tolist(), strict=True)), own, standing)
             remarks.append(f"{robot.name} has {plural(len(chosen), 'joint')} more than this needs: held {names}")
         remarks.append(self.said(len(at) - len(held) - len(chosen)))
         if not len(answer):

@@ -13,11 +13,11 @@ from dhcli.kinematics.inverse.idealised import idealised
 from dhcli.kinematics.inverse.matrices import PARALLEL, Actions
 from dhcli.kinematics.inverse.motions import CIRCLE, POINT
 from dhcli.kinematics.inverse.pairings import Cut, Loop, cuts
-from dhcli.kinematics.inverse.planning_all import find_all
+from dhcli.kinematics.inverse.planning_all import find_all, made_ready
 from dhcli.kinematics.inverse.planning_two import find_two
 from dhcli.kinematics.inverse.rows import ROUNDED
 from dhcli.kinematics.inverse.samples import SAMPLES, Samples
-from dhcli.kinematics.inverse.steps import All, Equation, Kind, One, Plan, Step
+from dhcli.kinematics.inverse.steps import All, Equation, Kind, One, Plan, Step, found_by
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array
@@ -66,10 +66,17 @@ def _meant(plan: Plan) -> Plan | None:
 
 
 def _found(arm: Arm, held: Sequence[int]) -> Plan:
-    actions = Actions(arm)
-    samples = Samples(actions)
-    known, steps = list(held), list[Step]()
-    slack = 0.0
+    return completed(Plan(Actions(arm), tuple(held), ()))
+
+
+def completed(begun: Plan) -> Plan:
+    """A plan with the steps that are still to be found.
+
+    Raises:
+        NoPlanError: No rule finds some joints.
+    """
+    samples, arm = Samples(begun.actions), begun.actions.arm
+    known, steps, slack = begun.known, list(begun.steps), begun.slack
     while missing := [j for j in range(arm.joints) if j not in known]:
         unknown = [j for j in range(len(arm.axes)) if j not in known]
         loop = samples.loop(known)
@@ -80,8 +87,20 @@ def _found(arm: Arm, held: Sequence[int]) -> Plan:
         steps.append(step)
         if isinstance(step, One):
             slack = max(slack, samples.gap(loop, step))
-        known += getattr(step, "joints", ()) or (step.joint,)  # type: ignore[union-attr]
-    return Plan(actions, tuple(held), tuple(steps), slack)
+        known += found_by(step)
+    return replace(begun, steps=tuple(steps), slack=slack)
+
+
+def with_three(begun: Plan, step: All) -> Plan | None:
+    """A plan that has begun, with three joints at once by a way not tried yet, and all that follows; None if none."""
+    samples = Samples(begun.actions)
+    ready = made_ready(samples, samples.loop(begun.known), step)
+    if ready is None:
+        return None
+    try:
+        return completed(replace(begun, steps=(*begun.steps, ready)))
+    except NoPlanError:
+        return None
 
 
 def find_one(samples: Samples, loop: Loop, unknown: Sequence[int], missing: Sequence[int]) -> One | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import permutations
 from typing import TYPE_CHECKING
 
@@ -52,6 +53,30 @@ def find_all(samples: Samples, loop: Loop, unknown: Sequence[int]) -> All | None
         if error < _BAD and (best is None or error < best[0]):
             best = error, ready[0]
     return None if best is None else best[1]
+
+
+def other_three(actions: Actions, unknown: Sequence[int], step: All) -> Iterator[All]:
+    """Ways to take other three joints at once than a step does, or the same against other two, not tried yet."""
+    seen = {_parts(step)}
+    for other in _arrangements(actions, unknown):
+        if _parts(other) not in seen:
+            seen.add(_parts(other))
+            yield other
+
+
+def made_ready(samples: Samples, loop: Loop, step: All) -> All | None:
+    """A way to take three joints at once with its equations, if it finds them; in whichever order."""
+    for a, b, c in permutations(step.joints):
+        ready = _rows(loop, replace(step, joints=(a, b, c)))
+        if ready is None:
+            return None
+        if _error(samples, *ready) < _BAD:
+            return ready[0]
+    return None
+
+
+def _parts(step: All) -> tuple[frozenset[int], frozenset[int]]:
+    return frozenset(step.joints), frozenset(step.others)
 
 
 def _arrangements(actions: Actions, unknown: Sequence[int]) -> Iterator[All]:

@@ -10,7 +10,7 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.frames import check_moves
 from dhcli.kinematics.inverse.anatomy import NOTHING, Anatomy, anatomy
 from dhcli.kinematics.inverse.arm import Arm, arm_of
-from dhcli.kinematics.inverse.keeping import recalled, remember
+from dhcli.kinematics.inverse.keeping import Kept, recalled, remember
 from dhcli.kinematics.inverse.steps import Plan
 from dhcli.kinematics.inverse.tasks import Task, TaskName, for_task, task_called
 from dhcli.kinematics.moves import Chain
@@ -47,6 +47,21 @@ class Prepared:
         return self.plan.actions.arm
 
 
+def kept_plan(arm: Arm, task: Task, asked: tuple[int, ...]) -> Kept:
+    """The plan that was found before with some joints held, else one that is found now and kept.
+
+    Raises:
+        RobotError: No choice of further joints to hold leaves joints that can be computed.
+    """
+    kept = recalled(arm, task, asked)
+    if kept is None:
+        from dhcli.kinematics.inverse.choosing import chosen  # not for a plan that was found before
+
+        kept = chosen(arm, task, asked)
+        remember(kept, task, asked)
+    return kept
+
+
 @lru_cache(maxsize=64)
 def prepare(
     chain: Chain, variables: tuple[str, ...], values: Known, task_name: TaskName, hold: tuple[str, ...]
@@ -70,12 +85,7 @@ def prepare(
         raise RobotError(f"the arm has {arm.joints} joints", f"inverse kinematics takes at most {MOST_JOINTS}")
     names = [axis.name for axis in arm.axes[: arm.joints]]
     asked = tuple(names.index(name) for name in hold if name in names)
-    kept = recalled(arm, task, asked)
-    if kept is None:
-        from dhcli.kinematics.inverse.choosing import chosen  # not for a plan that was found before
-
-        kept = chosen(arm, task, asked)
-        remember(kept, task, asked)
+    kept = kept_plan(arm, task, asked)
     plan, spare = kept.plan, kept.spare
     parts = anatomy(arm) if names == [name for name in variables if name in names] else NOTHING
     return Prepared(plan, task, spare, len(plan.held) > len(asked), parts)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,6 +23,9 @@ from dhcli.notation.angle import Angle
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array
 
+_SAME = 1e-9
+"""Joint values that differ by less are the same [rad, m]."""
+
 
 @frozen
 class Question:
@@ -32,12 +36,14 @@ class Question:
         ready: Its arm and plan.
         order: For each joint of the arm its number among the robot's variables.
         near: Joint values that solutions should be near to, or None.
+        standing: Joint values, by name, that the pose was given by.
     """
 
     robot: Robot
     ready: Prepared
     order: tuple[int, ...]
     near: Array | None
+    standing: Mapping[str, float] = field(default_factory=dict)
 
     def motions(self, q: Array) -> Array:
         """Motions of the arm's joints for joint values (..., n) of the robot."""
@@ -51,8 +57,19 @@ class Question:
         q[..., list(self.order)] = motions / self.ready.arm.factors
         return q
 
-    def best(self) -> Array:
-        """Where a joint that may be chosen should best stand, as a motion: near, else 0 or the middle of its limits."""
+    def best(self, spare: Sequence[int] = ()) -> Array:
+        """Where a joint that may be chosen should best stand, as a motion: near, else 0 or the middle of its limits.
+
+        Args:
+            spare: Joints that the task leaves over; they best stand as in the joint values that the pose was given by.
+        """
+        result = self._wished()
+        for j in spare:
+            at = self.standing.get(self.robot.variables[self.order[j]])
+            result[j] = result[j] if at is None else at * self.ready.arm.factors[j]
+        return result
+
+    def _wished(self) -> Array:
         if self.near is not None:
             return self.motions(self.near)
         limits = limits_of(self.robot)
@@ -61,6 +78,12 @@ class Question:
         with np.errstate(invalid="ignore"):
             middle = np.where(zero, 0.0, (low + high) / 2)
         return self.motions(np.nan_to_num(middle))
+
+
+def stands(q: Mapping[str, float], names: Sequence[str], standing: Mapping[str, float]) -> str:
+    """What is said of joints that are held where they stand in the joint values that a pose was given by."""
+    same = all(name in standing and abs(q[name] - standing[name]) < _SAME for name in names)
+    return ", as in the joint values given" if same else ""
 
 
 def ask(  # noqa: PLR0913  what may be asked of a robot

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhcli.kinematics.inverse.polishing import cross, jacobian, product
+from dhcli.kinematics.inverse.polishing import cross, motion, product
 from dhcli.kinematics.inverse.prepared import Prepared
 
 if TYPE_CHECKING:
@@ -23,6 +23,13 @@ _STARTS = 24
 """Joint values from which the nearest reachable pose is looked for."""
 
 _ROUNDS = 60
+
+_REACHED = 1e-30
+"""Half a sum of squares below which the pose itself is reached."""
+
+_SETTLED, _STUCK = 1e-9, 1e3
+"""By which share a sum of squares shrinks at most where it is the least one there; how strongly a step is held back
+where none makes it smaller."""
 
 
 def what_never_changes(
@@ -121,12 +128,15 @@ def nearest_reachable(ready: Prepared, goal: Array, held: dict[int, float]) -> t
     cost, slope, error = _cost(arm, task, motions, wanted)
     slope[:, :, list(held)] = 0
     for _ in range(_ROUNDS):
+        if cost.min() < _REACHED:
+            break
         square = slope.transpose(0, 2, 1) @ slope + damping[:, None, None] * np.eye(arm.joints)
         step = np.linalg.solve(square, (slope.transpose(0, 2, 1) @ error[:, :, None]))[:, :, 0]
         trial = motions + np.clip(step, -1, 1)
         less, other, left = _cost(arm, task, trial, wanted)
         other[:, :, list(held)] = 0
         better = less < cost
+        settled = np.where(better, cost - less <= _SETTLED * cost, damping >= _STUCK).all()
         motions[better], cost[better], slope[better], error[better] = (
             trial[better],
             less[better],
@@ -134,6 +144,8 @@ def nearest_reachable(ready: Prepared, goal: Array, held: dict[int, float]) -> t
             left[better],
         )
         damping = np.where(better, damping * 0.3, damping * 4).clip(1e-12, 1e6)
+        if settled:
+            break
     best = int(np.argmin(cost))
     end, target = product(arm, motions[best : best + 1])[0] @ arm.home, goal @ arm.home
     apart = float(np.linalg.norm(end[:3, 3] - target[:3, 3])) * arm.reach if task.place else 0.0
@@ -153,32 +165,25 @@ def _angle(task: Task, end: Array, target: Array) -> float:
 
 def _cost(arm: Arm, task: Task, motions: Array, goal: Array) -> tuple[Array, Array, Array]:
     """Half the sum of squares that is left, the slope of what is reached, and the error."""
-    total, _ = jacobian(arm, task, motions)
+    total = np.broadcast_to(np.eye(4), (len(motions), 4, 4))
+    alongs, points = [], []
+    for axis, value in zip(arm.axes, motions.T, strict=False):
+        alongs.append(total[:, :3, :3] @ np.array(axis.direction))
+        points.append(total[:, :3, :3] @ np.array(axis.point) + total[:, :3, 3])
+        total = total @ motion(axis, value)
     end, wanted = total @ arm.home, goal @ arm.home
     columns = [*task.directions, *([3] if task.place else [])]
     error = np.concatenate([(wanted - end)[:, :3, k] for k in columns], axis=1)
-    slope = _slope(arm, motions, end, columns)
+    along, point, turns = np.stack(alongs, 1), np.stack(points, 1), arm.turning[:, None]
+    # how each column of the end pose changes with each joint, shape (N, n, 3)
+    moved = [
+        np.where(turns, cross(along, end[:, None, :3, 3] - point), along)
+        if k == 3  # noqa: PLR2004  the place
+        else np.where(turns, cross(along, end[:, None, :3, k]), 0.0)
+        for k in columns
+    ]
+    slope = np.concatenate(moved, axis=2).transpose(0, 2, 1).copy()
     return 0.5 * (error**2).sum(axis=1), slope, error
-
-
-def _slope(arm: Arm, motions: Array, end: Array, columns: list[int]) -> Array:
-    """How columns of the end pose change with each joint, shape (N, 3m, n)."""
-    from dhcli.kinematics.inverse.polishing import motion
-
-    total = np.broadcast_to(np.eye(4), (len(motions), 4, 4))
-    parts = []
-    for axis, value in zip(arm.axes, motions.T, strict=False):
-        along = total[:, :3, :3] @ np.array(axis.direction)
-        point = total[:, :3, :3] @ np.array(axis.point) + total[:, :3, 3]
-        moved = []
-        for k in columns:
-            if k < 3:  # noqa: PLR2004  a direction
-                moved.append(cross(along, end[:, :3, k]) if axis.turns else np.zeros_like(along))
-            else:
-                moved.append(cross(along, end[:, :3, 3] - point) if axis.turns else along)
-        parts.append(np.concatenate(moved, axis=1))
-        total = total @ motion(axis, value)
-    return np.stack(parts, axis=2)
 
 
 __all__ = ["nearest_reachable", "too_far", "what_never_changes"]

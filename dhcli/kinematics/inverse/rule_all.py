@@ -24,7 +24,7 @@ from dhcli.kinematics.inverse.rule_two import HALVES
 from dhcli.kinematics.inverse.steps import All
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Array, Ints
+    from dhcli.kinematics.inverse.arm import Array, Flags, Ints
 
 TANGENTS = np.array([[1.0, 1.0, 0.0], [0.0, 0.0, 2.0], [1.0, -1.0, 0.0]])
 """1, t and t² by 1, c and s where t = tan(phi/2), all over 1 + t²."""
@@ -45,6 +45,12 @@ _FAR = 1e6
 
 EQUATIONS = 6
 """How many are left."""
+
+_TRIED = (0.3718, -1.2913)
+"""Half tangents of the third joint that are hardly ever those of a root."""
+
+_SINGULAR = 1e-9
+"""A singular value of a pencil that is smaller [of equations of size 1] is zero."""
 
 
 def all_at_once(rows: Rows, step: All) -> Rows:
@@ -75,6 +81,23 @@ def _block(rows: Rows, step: All) -> Rows:
             usable &= np.abs(length) < _FAR
             found.known[joint] = length, 0.5 * length * length
     return found if usable.all() else found.take(usable)
+
+
+def degenerate(rows: Rows, step: All) -> Flags:
+    """Where the equations left depend on each other whatever the third joint, so that they say nothing of it.
+
+    So it is at some poses at right angles, with whichever of the three joints for the third; other three serve there.
+    """
+    three, two = sides(rows.loop(), step)
+    chosen = list(step.rows)
+    system = _left(three[:, chosen], two[:, chosen], len(rows))
+    last, middle, lead = _pencil(system, step.turn, _turning(rows, step))
+    found = np.ones(len(rows), dtype=bool)
+    for t in _TRIED:
+        at = np.flatnonzero(found)
+        sizes = np.linalg.svd(last[at] + t * middle[at] + t * t * lead[at], compute_uv=False)
+        found[at] = sizes[:, -1] < _SINGULAR
+    return found
 
 
 def _turning(rows: Rows, step: All) -> list[bool]:

@@ -21,6 +21,9 @@ _POINTS = 16
 _NEAR_CIRCLE = 1e-2
 """Roots this close to the unit circle are tried; Newton's steps and the robot decide."""
 
+_SPLIT = 1e-5
+"""Roots that are closer than this may be one that rounding has split."""
+
 _FAR = 1e6
 """A length beyond this many reaches is none."""
 
@@ -101,5 +104,14 @@ def unit_roots(values: Array) -> tuple[Ints, Array]:
     companion[:, range(1, degree), range(degree - 1)] = 1
     companion[:, :, -1] = -monic[:, :-1] / lead[:, None]
     z = np.linalg.eigvals(companion)
-    which, k = np.nonzero(np.abs(np.abs(z) - 1) < _NEAR_CIRCLE)
-    return usable[which].astype(np.int64), np.angle(z[which, k])
+    real = np.abs(np.abs(z) - 1) < _NEAR_CIRCLE
+    which, k = np.nonzero(real)
+    angles = np.angle(z[which, k])
+    # rounding splits a double root by the root of its size: between the two stands the one that equations may vanish at
+    close = np.triu(np.abs(z[:, :, None] - z[:, None]) < _SPLIT, 1) & real[:, :, None] & real[:, None]
+    if close.any():
+        row, i, k = np.nonzero(close)
+        which, angles = np.concatenate([which, row]), np.concatenate([angles, np.angle(z[row, i] + z[row, k])])
+        order = np.argsort(which, kind="stable")
+        which, angles = which[order], angles[order]
+    return usable[which].astype(np.int64), angles

@@ -47,8 +47,12 @@ def run(
         from dhcli.kinematics.inverse.measured import beside  # an arm as it is drawn needs none of it
 
         found = beside(plan, task, goal, draws, held, tolerance, found)
-    has_all = any(isinstance(step, All) for step in plan.steps)
-    if len(plan.actions.arm.axes) != FULL or not has_all:
+    if not any(isinstance(step, All) for step in plan.steps):
+        return found
+    from dhcli.kinematics.inverse.elsewhere import elsewhere  # most arms need it nowhere
+
+    found = elsewhere(plan, task, goal, draws, held, tolerance, found)
+    if len(plan.actions.arm.axes) != FULL:
         return found
     # roots of six joints come in pairs: where one is alone, or there is none, angles are counted from another zero
     count = np.bincount(found.index, minlength=len(goal))

@@ -88,6 +88,11 @@ class All:
 Step: TypeAlias = One | Two | All
 
 
+def found_by(step: Step) -> tuple[int, ...]:
+    """The joints that a step finds."""
+    return step.joints if isinstance(step, All) else (step.joint,)
+
+
 @frozen
 class Plan:
     """In which order the joints of an arm are found, and from what.
@@ -106,6 +111,11 @@ class Plan:
     steps: tuple[Step, ...]
     slack: float = 0.0
     meant: Plan | None = None
+
+    @property
+    def known(self) -> list[int]:
+        """The joints that are given, and those that its steps find."""
+        return [*self.held, *(j for step in self.steps for j in found_by(step))]
 
     @property
     def rules(self) -> tuple[str, ...]:

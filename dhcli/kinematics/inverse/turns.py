@@ -78,11 +78,14 @@ def placed(
         free=tuple(answer.free[k] for k in at),
         factors=answer.factors if len(at) == len(answer) else (),
     )
-    if not within_limits:
-        return every
+    return inside_only(every) if within_limits else every
+
+
+def inside_only(every: Solutions) -> Solutions:
+    """The solutions inside the limits; with what keeps the others out, if they are all."""
     inside = np.flatnonzero(every.within_limits).tolist()
     out = np.flatnonzero(~every.within_limits).tolist()
-    why = "" if inside else _all_outside(robot, list(every.beyond))
+    why = "" if inside else _all_outside(every.robot, list(every.beyond))
     return replace(every.take(inside), why=why, left_out=every.take(out) if out else None)
 
 

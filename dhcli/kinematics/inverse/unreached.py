@@ -10,10 +10,10 @@ import numpy as np
 
 from dhcli.errors import plural
 from dhcli.kinematics.inverse.arm import nearest_turn
+from dhcli.kinematics.inverse.choosing import rank
 from dhcli.kinematics.inverse.matrices import value_of
-from dhcli.kinematics.inverse.planning import NoPlanError, find_plan
 from dhcli.kinematics.inverse.polishing import jacobian, spread
-from dhcli.kinematics.inverse.prepared import Prepared
+from dhcli.kinematics.inverse.prepared import Prepared, kept_plan
 from dhcli.kinematics.inverse.reasons import nearest_reachable, too_far, what_never_changes
 from dhcli.kinematics.inverse.rows import Rows
 from dhcli.kinematics.inverse.rule_one import read_off
@@ -44,6 +44,7 @@ def why_not(
     answer: Solutions,
     pose: Array,
     held: dict[int, float],
+    nearest: tuple[Array, float, float],
     values: Callable[[Array], Array],
 ) -> Solutions:
     """The answer that there is no solution, with what keeps the arm from the pose.
@@ -53,11 +54,12 @@ def why_not(
         answer: The answer without a solution.
         pose: The pose asked for, shape (4, 4) [m].
         held: Motions of the joints held.
+        nearest: Motions that come nearest, and what is left: a distance [m] and an angle.
         values: Joint values of the robot from motions of the arm.
     """
     arm = ready.arm
     goal = arm.goal(pose[None])[0]
-    motions, apart, angle = nearest_reachable(ready, goal, held)
+    motions, apart, angle = nearest
     motions = nearest_turn(arm.turning, motions)
     reasons = list(what_never_changes(arm, ready.task, pose))
     if not reasons:
@@ -67,15 +69,15 @@ def why_not(
     least = LEAST if max(apart, angle) > LEAST else 0.0
     left = [f"{_shown(apart, least):.4g} m"] if ready.task.place else []
     left += [f"{_shown(float(np.degrees(angle)), least):.4g}°"] if ready.task.directions else []
-    nearest = f"the nearest pose reached is {' and '.join(left)} away"
+    said = f"the nearest pose reached is {' and '.join(left)} away"
     chosen = sorted(set(ready.plan.held) - set(held))
     if not least and chosen and _moved(ready, chosen):
-        nearest = f"other values of {', '.join(arm.axes[j].name for j in chosen)} reach it"
+        said = f"other values of {', '.join(arm.axes[j].name for j in chosen)} reach it"
     elif not least:
-        nearest += ", which more digits of the pose would mend"
+        said += ", which more digits of the pose would mend"
     if FAR * arm.reach < apart < 100 * FAR * arm.reach:
-        nearest += ": bare lengths are metres, did you mean mm?"
-    why = "; ".join((*reasons, *parts, nearest))
+        said += ": bare lengths are metres, did you mean mm?"
+    why = "; ".join((*reasons, *parts, said))
     return replace(answer, reachable=False, why=why, closest=values(motions))
 
 
@@ -122,15 +124,17 @@ def _parts(ready: Prepared, goal: Array, held: dict[int, float]) -> list[str]:
             task = TASKS["direction"]
         arm = for_task(ready.arm, task)
         label = f"the {'direction' if task.name == 'direction' else name} alone"
-        try:
-            plan = find_plan(arm, tuple(held))
-        except NoPlanError:
+        if too_far(arm, task, goal):
+            said.append(f"{label}: not")
+            continue
+        if rank(arm, task, tuple(held)) < arm.joints - len(held):
             # more joints than this part needs: the nearest pose tells whether it can be reached
             part = Prepared(ready.plan, task, 0, False, ready.parts)  # noqa: FBT003
             _, apart, angle = nearest_reachable(part, goal, held)
             near = apart < 1e-6 * ready.arm.reach and angle < 1e-6  # noqa: PLR2004
             said.append(f"{label}: {'in many ways' if near else 'not'}")
             continue
+        plan = kept_plan(arm, task, tuple(held)).plan
         part = Prepared(plan, task, 0, False, ready.parts)  # noqa: FBT003
         fixed = {j: np.array([value]) for j, value in held.items()}
         found = run(plan, task, goal[None], tries(part, np.zeros(arm.joints)), fixed)

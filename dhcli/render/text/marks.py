@@ -12,7 +12,7 @@ from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.judge import MISPRINT, is_explained
 from dhcli.checking.marked import PartMark, SheetMark
 from dhcli.checking.returned import Shown
-from dhcli.checking.verdicts import CellMark, Mark, Verdict
+from dhcli.checking.verdicts import HALF_TURN_OFF, CellMark, Mark, Verdict
 from dhcli.errors import plural
 from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
@@ -194,7 +194,8 @@ def _why(one: PartMark, *, named: bool, asked: str = "--why") -> Iterator[str]:
     if found.causes == ((MISPRINT,),):  # a remark has told which entry
         return
     if not found.causes:
-        if named and is_explained(one.part, one.mark) and not found.follows:
+        is_told = any(remark.endswith(HALF_TURN_OFF) for remark in one.mark.remarks)
+        if named and is_explained(one.part, one.mark) and not found.follows and not is_told:
             yield NO_SLIP
         return
     if not named:

@@ -8,7 +8,8 @@ import pytest
 
 from dhcli import check, load_robot
 from dhcli.algebra.equality import equal
-from dhcli.checking.diagnosis.mistakes.in_terms import TERM_MAKERS, Among
+from dhcli.checking.diagnosis.mistakes.in_terms import IN_ENTRY, Among, TermMaker
+from dhcli.checking.diagnosis.record import Mistake
 from dhcli.checking.diagnosis.search import search_of
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.kinds.made import question_about
@@ -124,13 +125,13 @@ def test_numbers_show_no_terms() -> None:
     assert found is None or not any(name.startswith("term-") for name in found.ids)
 
 
-@pytest.mark.parametrize("name", TERM_MAKERS)
-def test_each_mistake_changes_an_entry(name: str) -> None:
+@pytest.mark.parametrize("mistake", IN_ENTRY, ids=lambda mistake: mistake.id)
+def test_each_mistake_changes_an_entry(mistake: Mistake[TermMaker]) -> None:
     """No two ways to make it are called the same and differ."""
     scope = load_robot("planar-2r").scope
     expr = parse("a1*c1 + a2*c12*s1 + a1^2", scope)
     among = Among(("theta1", "theta2"), (Symbol("a1"), Symbol("a2")))
-    made = list(TERM_MAKERS[name](expr, among))
+    made = list(mistake.made(expr, among))
     assert made
     for text, changed in made:
         assert not equal(changed, expr), (text, write(changed))

@@ -5,7 +5,6 @@ import pytest
 
 from dhcli import check, load_exercise, load_robot
 from dhcli.checking.diagnosis.mistakes import BY_ID, EVERY
-from dhcli.checking.diagnosis.slips import slip_of
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.kinds.made import question_about
 from dhcli.checking.kinds.registry import read_question
@@ -233,9 +232,9 @@ def test_an_unknown_mistake_is_refused_with_the_nearest() -> None:
 
 def test_words_say_the_place_as_a_person_would() -> None:
     """The two halves of a place stand where they belong."""
-    added = slip_of(BY_ID["offset-added"], "2 90°").words
+    added = BY_ID["offset-added"].slip("2 90°").words
     assert added == "theta of row 2, which has no offset, has 90° added"
-    shift = slip_of(BY_ID["shift-sign"], "1.2 x").words
+    shift = BY_ID["shift-sign"].slip("1.2 x").words
     assert shift == "the sign of the shift along x in move 1.2 is turned round"
 
 
@@ -243,7 +242,7 @@ def test_every_record_has_a_name_of_its_own_and_tells_where_to_look() -> None:
     """Words and hint of each can be filled in."""
     assert len(BY_ID) == len(EVERY)
     for mistake in EVERY:
-        slip = slip_of(mistake, "1,4 a2*c2")
+        slip = mistake.slip("1,4 a2*c2")
         assert slip.words
         assert slip.hint not in ("", slip.words)
         assert "{" not in slip.words + slip.hint

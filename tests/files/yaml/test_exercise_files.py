@@ -176,6 +176,10 @@ def test_all_mistakes_are_told_at_once_in_their_order() -> None:
         (PARTS + "solution: x\n", "solution: unknown key (answers are computed; those under tests: are tried)"),
         (PARTS + "author: me\n", "author: unknown key (a key of your own begins with x-: x-author)"),
         ("parts:\n  - {id: t, question: link 1}\n", "question: unknown key (did you mean ask?)"),
+        (
+            "parts:\n  - {id: t, ask: choice, choices: [a, b], right: 1}\n",
+            "choices: unknown key (did you mean options?)",
+        ),
         ("parts:\n  - {id: t, ask: table}\n", "which table? (write table standard or table modified)"),
         (PARTS + "given: [30°]\n", "given: should be a mapping, is a list (write {theta1: 30°})"),
         (PARTS + "tolerance: {decimals: 30}\n", "decimals: 30 cannot be asked for (1 to 12)"),

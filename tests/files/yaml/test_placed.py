@@ -274,6 +274,8 @@ def test_all_that_is_refused_is_reported_before_a_syntax_error() -> None:
         ("a: 1\nb: {c: 2}}\n", "2:10", "this '}' closes nothing", "delete it"),
         ("a:\n  b: 1\n c: 2\n", "3:2", "this line does not line up with the lines above it", "start in column 1"),
         ("- a: 1\n b: 2\n", "2:2", "this line does not", ""),
+        ("a:\n  b: |\n    1 0 0\n   0 1 0\n", "4:4", "this line stands further left than the text", "in column 5"),
+        ("a:\n  b: |\n    1 0 0\n   -1 1 0\n", "4:4", "this line stands further left than the text", "in column 5"),
         ("a: 1\n- b\n", "2:1", "a list entry stands among the keys", "under their key"),
         ("a: - theta1\n", "1:4", "a list cannot begin on the line of its key", "a minus sign has no space after it"),
         ("a: 'it's'\n", "1:8", "text follows the closing quote", "written twice"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -18,6 +19,7 @@ from dhcli.files.yaml.robots import load_robot
 from dhcli.files.yaml.sheets import WIDEST, Sheet, check_numbers, read_sheet, write_sheet
 from dhcli.files.yaml.tables import read_table
 from dhcli.kinematics.conventions import Convention
+from dhcli.notation.parser import parse
 from tests.judging import mark
 
 ROOT = Path(__file__).parents[3]
@@ -75,6 +77,18 @@ def test_a_blank_sheet_explains_only_what_it_needs(name: str, said: str) -> None
     """Where every answer is a choice or a count, neither cosines nor decimals."""
     text = write_sheet(load_exercise(name))
     assert [word for word in ("Numbers", "Symbols") if f"# {word}" in text] == ([said] if said else [])
+
+
+@pytest.mark.parametrize("name", ["yim/dh-rules", "zhou/standard-link-matrix", "yim/planar-two-links"])
+def test_the_symbols_that_a_blank_sheet_shows_can_be_read_in_it(name: str) -> None:
+    """A general link has c_i where an arm has c1."""
+    exercise = load_exercise(name)
+    (shown,) = re.findall(r"# Symbols: (\S+) for (cos\S+\))", write_sheet(exercise))
+    short, written = (parse(text, exercise.scope) for text in shown)
+    assert short == written
+    products = re.findall(r"\w+\*\w+", write_sheet(exercise).partition("# Products:")[2].partition("format:")[0])
+    assert products
+    assert all(parse(text, exercise.scope) for text in products)
 
 
 def test_every_blank_sheet_is_as_narrow_as_its_words_allow() -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from dhcli import Robot, forward, inverse, load_robot, manipulability
+from dhcli.kinematics.inverse import choosing, reasons
 
 
 def test_too_far_is_said_with_both_lengths() -> None:
@@ -108,3 +109,16 @@ def test_no_pose_at_which_an_arm_stands_is_out_of_reach(rows: list[tuple[object,
     assert len(found) > 0
     for one in found:
         assert np.allclose(forward(arm, list(one)).matrix, pose.matrix, atol=1e-11)
+
+
+@pytest.mark.parametrize("name", ["scara", "puma560", "ur5e", "panda"])
+def test_a_pose_out_of_reach_is_told_with_few_steps(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The nearest pose is looked for once, until no step comes nearer; the plans for its parts were found before."""
+    counted, cost = list[int](), reasons._cost
+    monkeypatch.setattr(reasons, "_cost", lambda *args: (counted.append(1), cost(*args))[1])
+    monkeypatch.setattr(choosing, "find_plan", None)
+    far = np.eye(4)
+    far[:3, 3] = 5, 0.3, 0.4
+    found = inverse(load_robot(name), far)
+    assert "the position alone: not; the orientation alone: in many ways" in found.why
+    assert len(counted) <= 90

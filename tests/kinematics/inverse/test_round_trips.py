@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from dhcli import forward, inverse, load_robot, manipulability
+from dhcli import forward, forward_batch, inverse, inverse_batch, load_robot, manipulability
 from dhcli.kinematics.inverse import rule_all
 from dhcli.kinematics.inverse.anatomy import NOTHING
 from dhcli.kinematics.inverse.planning import find_plan
@@ -17,7 +17,7 @@ from dhcli.kinematics.inverse.question import ask
 from dhcli.kinematics.inverse.running import run
 from dhcli.kinematics.inverse.solving import solve
 from dhcli.kinematics.inverse.tasks import TASKS
-from tests.kinematics.arms import COBOT
+from tests.kinematics.arms import COBOT, numbered_hinges
 from tests.kinematics.inverse.arms import CLASSES, Class, measured, odd, random_arm, random_motions
 from tests.nightly import NIGHT, some
 
@@ -164,6 +164,50 @@ def test_joint_values_at_right_angles_are_found_again_though_solutions_share_an_
         if manipulability(COBOT, list(q)) > 1e-6:
             gap = np.abs(np.angle(np.exp(1j * (np.array(found) - q)))).max(axis=1)
             assert (gap < 1e-6).sum() == 1
+
+
+AT_RIGHT_ANGLES = {
+    # where equations vanish: of some three joints; of any three; of two joints, at a double root
+    "other three": (
+        "0,-90,0 .1,-90,-.15 .3,-90,-.15 .3,0,-.15 0,-90,0 .4,90,0",
+        [90, 90, 0, 0.3 * 180 / np.pi, 45, 180],
+    ),
+    "no three": ("0,90,-.15 .1,0,0 0,-90,-.15 .2,0,0 0,90,-.15 .3,90,.15", [90, -45, 0, -90, 45, 180]),
+    "two": (".2,-90,-.15 .4,90,0 .1,0,0 .1,0,.15 .1,-90,.15 .2,90,.15", [45, 135, 180, 45, -45, 135]),
+}
+
+
+@pytest.mark.parametrize("name", AT_RIGHT_ANGLES)
+def test_where_equations_vanish_at_right_angles_the_solutions_are_found_by_others(name: str) -> None:
+    """In a batch too; each solution reaches the pose, and the original is one."""
+    table, degrees = AT_RIGHT_ANGLES[name]
+    arm, q = numbered_hinges(table), np.radians(degrees)
+    pose = forward(arm, q)
+    found = inverse(arm, pose)
+    assert manipulability(arm, q) > 1e-6
+    assert found.distances(q).min() < 1e-6
+    assert len(found) % 2 == 0
+    assert np.abs(forward_batch(arm, found.q) - pose.matrix).max() < 1e-11
+    many, index = inverse_batch(arm, np.array([pose.matrix, forward(arm, [0.3, 0.4, 0.5, 0.6, 0.7, 0.8]).matrix]))
+    assert (index == 0).sum() == len(found)
+    assert max(found.distances(other).min() for other in many[index == 0]) < 1e-6
+
+
+def test_nearly_no_arm_at_right_angles_loses_a_solution() -> None:
+    """Arms with twists of 0 and 90 degrees at multiples of 45: regular joint values are among the solutions."""
+    rng = np.random.default_rng(7)
+    regular = lost = 0
+    for _ in range(40 if NIGHT else 4):
+        rows = zip(
+            rng.choice([0, 0.1, 0.2, 0.3], 6), rng.choice([0, 90, -90], 6), rng.choice([0, 0.15, 0.3], 6), strict=True
+        )
+        arm = numbered_hinges(" ".join(",".join(map(str, row)) for row in rows))
+        draws = rng.integers(-3, 5, (40 if NIGHT else 8, 6)) * np.pi / 4
+        for q in draws:
+            if manipulability(arm, q) > 1e-6:
+                regular += 1
+                lost += not inverse(arm, forward(arm, q)).distances(q).min(initial=9) < 1e-6
+    assert lost <= regular / 500
 
 
 def test_where_three_joints_have_no_real_angles_nothing_is_found(monkeypatch: pytest.MonkeyPatch) -> None:

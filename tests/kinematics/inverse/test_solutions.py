@@ -11,6 +11,8 @@ from dhcli import Solutions, follow, forward, forward_batch, inverse, inverse_ba
 from dhcli.errors import RobotError, UnknownNameError
 from dhcli.kinematics.inverse import batch
 from dhcli.kinematics.inverse.branches import Told, with_values
+from dhcli.kinematics.inverse.tasks import TaskName
+from tests.kinematics.arms import numbered_hinges
 
 
 def solved(name: str, q: object, **asked: object) -> Solutions:
@@ -113,6 +115,44 @@ def test_a_spare_joint_is_held_and_told() -> None:
     found = solved("panda", "ready", near="ready")
     assert np.allclose(found[0], [0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4], atol=1e-9)
     assert found.remarks == ("panda has 1 joint more than this needs: held theta7 = 45°",)
+
+
+@pytest.mark.parametrize("task", ["pose", "position", "axis", "orientation", "direction"])
+@pytest.mark.parametrize("name", ["panda", "puma560", "ur5e", "scara"])
+def test_joint_values_to_reach_are_among_the_solutions(name: str, task: TaskName) -> None:
+    """Whatever the task leaves over is held at them; a matrix of the same pose holds it at 0."""
+    robot = load_robot(name)
+    q = (np.arange(len(robot.variables)) * 0.37 - 0.9).tolist()
+    found = inverse(robot, dict(zip(robot.variables, q, strict=True)), task=task)
+    assert found.distances(q).min() < 1e-6
+    if found.held:
+        assert dict(found.held) == pytest.approx({key: q[robot.variables.index(key)] for key in dict(found.held)})
+        assert found.remarks[-1].endswith(", as in the joint values given")
+        by_matrix = inverse(robot, forward(robot, q), task=task)
+        assert "as in" not in by_matrix.remarks[-1]
+
+
+def test_a_named_pose_is_reached_and_a_joint_held_by_hand_stands_where_it_is_wanted() -> None:
+    """`hold` and `near` say more than the pose does."""
+    robot = load_robot("panda")
+    assert inverse(robot, "ready").distances("ready").min() < 1e-6
+    assert dict(inverse(robot, "ready", hold={"theta7": 0.1}).held) == {"theta7": pytest.approx(0.1)}
+    assert dict(inverse(robot, "ready", near=[0.0] * 7).held) == {"theta7": 0.0}
+
+
+@pytest.mark.parametrize(
+    "table", ["panda", ".2,-90,-.15 .4,90,0 .1,0,0 .1,0,.15 .1,-90,.15 .2,90,.15", ".1,90,0 .2,0,.15 0,90,0 .3,-90,0"]
+)
+def test_a_batch_finds_what_single_poses_have(table: str) -> None:
+    """At right angles: where a joint to spare has to be held elsewhere than at 0, and at singular poses."""
+    robot = load_robot(table) if "," not in table else numbered_hinges(table)
+    q = np.random.default_rng(5).integers(-3, 5, (12, len(robot.variables))) * np.pi / 4
+    poses = forward_batch(robot, q)
+    values, index = inverse_batch(robot, poses)
+    assert set(index.tolist()) == set(range(len(poses)))
+    for k, pose in enumerate(poses):
+        assert (index == k).sum() == len(inverse(robot, pose))
+    assert np.abs(forward_batch(robot, values) - poses[index]).max() < 1e-10
 
 
 def test_a_family_of_a_spare_joint_is_sampled() -> None:

@@ -13,11 +13,10 @@ from dhcli.checking.diagnosis.mistakes.in_terms import IN_TERMS
 from dhcli.checking.diagnosis.mistakes.matrices import IN_THE_WHOLE, IN_WRITING
 from dhcli.checking.diagnosis.mistakes.moves import IN_MOVES
 from dhcli.checking.diagnosis.mistakes.products import IN_PRODUCTS, OF_FRAMES
-from dhcli.checking.diagnosis.mistakes.record import Level, Mistake
 from dhcli.checking.diagnosis.mistakes.rows import IN_ROWS
 from dhcli.checking.diagnosis.mistakes.turns import IN_TURNS
 
-__all__ = ["BY_ID", "EVERY", "IN_TERMS", "MISTAKES", "Level", "Mistake"]
+__all__ = ["BY_ID", "EVERY", "IN_TERMS", "MISTAKES"]
 
 MISTAKES = (
     *IN_THE_WHOLE,

@@ -12,17 +12,17 @@ from functools import partial
 from itertools import combinations, pairwise
 
 from dhcli.checking.diagnosis.mistakes.changes import all_rows, in_row, value_of
-from dhcli.checking.diagnosis.mistakes.record import Catalogue, Level, Made
 from dhcli.checking.diagnosis.mistakes.rows import a_sign, d_sign, theta_sign
+from dhcli.checking.diagnosis.record import Catalogue
 from dhcli.checking.diagnosis.result import Rank
-from dhcli.checking.diagnosis.work import Factor, Setting, Work
+from dhcli.checking.diagnosis.work import Factor, Level, Made, Maker, Setting, Work
 from dhcli.kinematics.conventions import Row
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import natural_key
 from dhcli.notation.tree import ZERO
 from dhcli.notation.walk import symbols
 
-BETWEEN_ROWS = Catalogue(Level.TABLE)
+BETWEEN_ROWS: Catalogue[Maker] = Catalogue(Level.TABLE)
 
 SHIFTED = {"alpha": ("alpha",), "a": ("a",), "a+alpha": ("a", "alpha")}
 """Columns that are written one row too far, by how that is called."""

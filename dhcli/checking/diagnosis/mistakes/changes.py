@@ -7,8 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TypeAlias
 
-from dhcli.checking.diagnosis.mistakes.record import Made, Maker
-from dhcli.checking.diagnosis.work import Factor, Setting, Work
+from dhcli.checking.diagnosis.work import Factor, Made, Maker, Setting, Work
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.values import symbols_of
 from dhcli.notation.angle import Angle

@@ -10,13 +10,14 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from typing import TypeAlias
 
 from dhcli.checking.diagnosis.bench import terms
-from dhcli.checking.diagnosis.mistakes.record import Level, Made, Mistake
+from dhcli.checking.diagnosis.record import Catalogue, Mistake
 from dhcli.checking.diagnosis.result import Rank
 from dhcli.checking.diagnosis.terms import Piece, exchanged, flipped, functions, lengths, pieces, products, shown
-from dhcli.checking.diagnosis.work import Matrix, Setting, Work
+from dhcli.checking.diagnosis.work import Level, Made, Maker, Matrix, Setting, Work
 from dhcli.checking.wanted import Wanted
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
@@ -40,34 +41,11 @@ class Among:
 TermMaker: TypeAlias = Callable[[Expr, Among], Iterator[tuple[str, Expr]]]
 """Every way to make a mistake in an entry: what it is about, such as `d3*s1` or `c2 for c12`, and the wrong entry."""
 
-TERM_MAKERS: dict[str, TermMaker] = {}
-"""What makes each mistake, by name, in the order in which they are tried and named."""
-
-IN_TERMS: list[Mistake] = []
-"""The same as mistakes in a matrix."""
+IN_ENTRY: Catalogue[TermMaker] = Catalogue(Level.MATRIX, Rank.SYMPTOM)
+"""In the order in which they are tried and named."""
 
 
-def _mistake(name: str, words: str, hint: str) -> Callable[[TermMaker], TermMaker]:
-    """The record of a mistake, beside what makes it."""
-
-    def taken(made: TermMaker) -> TermMaker:
-        TERM_MAKERS[name] = made
-        record = Mistake(
-            name,
-            Level.MATRIX,
-            words,
-            hint,
-            lambda work, setting: _in_matrix(made, work, setting),
-            Rank.SYMPTOM,
-            alone=True,
-        )
-        IN_TERMS.append(record)
-        return made
-
-    return taken
-
-
-@_mistake(
+@IN_ENTRY(
     "term-sign", "the sign of {term} in entry ({entry}) is turned round", "look at the signs of the terms in row {row}"
 )
 def sign(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
@@ -79,25 +57,25 @@ def sign(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
         yield text + (f" no. {seen[text]}" if seen[text] > 1 else ""), changed
 
 
-@_mistake("term-missing", "entry ({entry}) lacks {term}", "count the terms in row {row}")
+@IN_ENTRY("term-missing", "entry ({entry}) lacks {term}", "count the terms in row {row}")
 def missing(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     """One term left out."""
     return _with_terms(expr, among, lambda _: ZERO)
 
 
-@_mistake("term-double", "{term} is counted twice in entry ({entry})", "count the terms in row {row}")
+@IN_ENTRY("term-double", "{term} is counted twice in entry ({entry})", "count the terms in row {row}")
 def double(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     """One term too often."""
     return _with_terms(expr, among, lambda term: multiply(number(2), term))
 
 
-@_mistake("term-half", "entry ({entry}) has only half of {term}", "look at the numbers before the terms in row {row}")
+@IN_ENTRY("term-half", "entry ({entry}) has only half of {term}", "look at the numbers before the terms in row {row}")
 def half(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     """A factor two forgotten."""
     return _with_terms(expr, among, lambda term: multiply(number(Fraction(1, 2)), term))
 
 
-@_mistake(
+@IN_ENTRY(
     "function-other",
     "entry ({entry}) has {term}",
     "look at sines and cosines in row {row}",
@@ -107,7 +85,7 @@ def function_other(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     return _with_functions(expr, among, lambda old: (swapped(old),))
 
 
-@_mistake("angle-lacking", "entry ({entry}) has {term}", "look at the sums of angles in row {row}")
+@IN_ENTRY("angle-lacking", "entry ({entry}) has {term}", "look at the sums of angles in row {row}")
 def angle_lacking(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     """c2 for c12: one angle of a sum is left out."""
 
@@ -118,7 +96,7 @@ def angle_lacking(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     return _with_functions(expr, among, made)
 
 
-@_mistake("angle-other", "entry ({entry}) has {term}", "which joint angle belongs where in row {row}?")
+@IN_ENTRY("angle-other", "entry ({entry}) has {term}", "which joint angle belongs where in row {row}?")
 def angle_other(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     """c3 for c2: the angle of another joint."""
 
@@ -132,7 +110,7 @@ def angle_other(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     return _with_functions(expr, among, made)
 
 
-@_mistake("angle-added", "entry ({entry}) has {term}", "look at the sums of angles in row {row}")
+@IN_ENTRY("angle-added", "entry ({entry}) has {term}", "look at the sums of angles in row {row}")
 def angle_added(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     """c12 for c2: one angle too many."""
 
@@ -144,7 +122,7 @@ def angle_added(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     return _with_functions(expr, among, made)
 
 
-@_mistake("sum-as-product", "entry ({entry}) has {term}", "how is the cosine or sine of a sum expanded?")
+@IN_ENTRY("sum-as-product", "entry ({entry}) has {term}", "how is the cosine or sine of a sum expanded?")
 def sum_as_product(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     """c1*c2 for c12: half of the expansion, or functions multiplied as if they were angles."""
 
@@ -159,7 +137,7 @@ def sum_as_product(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     return _with_functions(expr, among, made)
 
 
-@_mistake("sum-as-sum", "entry ({entry}) has {term}", "how is the cosine or sine of a sum expanded?")
+@IN_ENTRY("sum-as-sum", "entry ({entry}) has {term}", "how is the cosine or sine of a sum expanded?")
 def sum_as_sum(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     """c1 + c2 for c12."""
 
@@ -170,7 +148,7 @@ def sum_as_sum(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     return _with_functions(expr, among, made)
 
 
-@_mistake("expansion-sign", "entry ({entry}) has {term}", "look at the signs where a sum of angles is expanded")
+@IN_ENTRY("expansion-sign", "entry ({entry}) has {term}", "look at the signs where a sum of angles is expanded")
 def expansion_sign(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     """c1*c2 + s1*s2 for c12: the sign between the products is wrong."""
 
@@ -186,7 +164,7 @@ def expansion_sign(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     return _with_functions(expr, among, made)
 
 
-@_mistake("length-other", "entry ({entry}) has {term}", "which length belongs where in row {row}?")
+@IN_ENTRY("length-other", "entry ({entry}) has {term}", "which length belongs where in row {row}?")
 def length_other(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     """a1 for a2."""
     for old in lengths(expr):
@@ -195,7 +173,7 @@ def length_other(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
                 yield _stands_for(new, old, among), exchanged(expr, old, new)
 
 
-@_mistake("factor-missing-in-term", "entry ({entry}) has {term}", "count the factors of the terms in row {row}")
+@IN_ENTRY("factor-missing-in-term", "entry ({entry}) has {term}", "count the factors of the terms in row {row}")
 def factor_missing(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     """c4*c6 for c4*c5*c6: a factor of a term is left out."""
     for product, k, changed in products(expr):
@@ -205,7 +183,7 @@ def factor_missing(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
             yield _stands_for(left, product, among), changed
 
 
-@_mistake("square-missing", "entry ({entry}) has {term}", "look at the powers in row {row}")
+@IN_ENTRY("square-missing", "entry ({entry}) has {term}", "look at the powers in row {row}")
 def square_missing(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     """L for l^2."""
     for old in dict.fromkeys(node for node in walk(expr) if isinstance(node, Power) and node.exponent == 2):  # noqa: PLR2004
@@ -269,3 +247,10 @@ def _parted(angle: Angle) -> Iterator[tuple[Angle, Angle]]:
 
 def _of(function: str, angle: Angle) -> Expr:
     return cosine(angle) if function == "cos" else sine(angle)
+
+
+IN_TERMS: tuple[Mistake[Maker], ...] = tuple(
+    Mistake(one.id, one.words, one.hint, partial(_in_matrix, one.made), one.level, one.rank, alone=True)
+    for one in IN_ENTRY
+)
+"""The same as mistakes in a matrix."""

@@ -6,7 +6,6 @@ from dataclasses import replace
 from itertools import combinations
 
 from dhcli.checking.diagnosis.bench import inverse
-from dhcli.checking.diagnosis.mistakes.record import Catalogue, Level, Made
 from dhcli.checking.diagnosis.mistakes.rewritings import (
     Negated,
     Negative,
@@ -16,17 +15,18 @@ from dhcli.checking.diagnosis.mistakes.rewritings import (
     with_transpose,
     without_rotation,
 )
+from dhcli.checking.diagnosis.record import Catalogue
 from dhcli.checking.diagnosis.result import Rank
-from dhcli.checking.diagnosis.work import Rewriting, Setting, Work
+from dhcli.checking.diagnosis.work import Level, Made, Maker, Rewriting, Setting, Work
 from dhcli.notation.factors import AXES
 from dhcli.notation.tree import ZERO, negate
 
 _WITH_POSITION = ("pose", "position", "point", "entry")
 
-IN_THE_WHOLE = Catalogue(Level.MATRIX)
+IN_THE_WHOLE: Catalogue[Maker] = Catalogue(Level.MATRIX)
 """Of the whole matrix: these have the name before a slip in a row that happens to give the same."""
 
-IN_WRITING = Catalogue(Level.MATRIX)
+IN_WRITING: Catalogue[Maker] = Catalogue(Level.MATRIX)
 """Of an entry, a row or a column."""
 
 

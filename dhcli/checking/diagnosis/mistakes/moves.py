@@ -6,15 +6,15 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from dhcli.checking.diagnosis.mistakes.changes import RIGHT_ANGLE, other_unit, scale_of
-from dhcli.checking.diagnosis.mistakes.record import Catalogue, Level, Made
+from dhcli.checking.diagnosis.record import Catalogue
 from dhcli.checking.diagnosis.result import Rank
-from dhcli.checking.diagnosis.work import Factor, Setting, Work
+from dhcli.checking.diagnosis.work import Factor, Level, Made, Maker, Setting, Work
 from dhcli.kinematics.moves import Move, Rot, Trans, along
 from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES
 from dhcli.notation.tree import ZERO, Expr, multiply, negate
 
-IN_MOVES = Catalogue(Level.TABLE)
+IN_MOVES: Catalogue[Maker] = Catalogue(Level.TABLE)
 
 
 @IN_MOVES("turn-sign", "the turn in move {where} goes the other way", "look at the sense of the turn in move {where}")

@@ -5,15 +5,15 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import combinations, pairwise
 
-from dhcli.checking.diagnosis.mistakes.record import Catalogue, Level, Made
+from dhcli.checking.diagnosis.record import Catalogue
 from dhcli.checking.diagnosis.result import Rank
-from dhcli.checking.diagnosis.work import Factor, Multiplied, Setting, Work, steps_between
+from dhcli.checking.diagnosis.work import Factor, Level, Made, Maker, Multiplied, Setting, Work, steps_between
 from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.frames import View, span_of
 from dhcli.notation.tree import ZERO
 
-IN_PRODUCTS = Catalogue(Level.PRODUCT)
-OF_FRAMES = Catalogue(Level.PRODUCT)
+IN_PRODUCTS: Catalogue[Maker] = Catalogue(Level.PRODUCT)
+OF_FRAMES: Catalogue[Maker] = Catalogue(Level.PRODUCT)
 
 
 @IN_PRODUCTS(

@@ -21,16 +21,16 @@ from dhcli.checking.diagnosis.mistakes.changes import (
     scale_of,
     value_of,
 )
-from dhcli.checking.diagnosis.mistakes.record import Catalogue, Level, Made
+from dhcli.checking.diagnosis.record import Catalogue
 from dhcli.checking.diagnosis.result import Rank
-from dhcli.checking.diagnosis.work import Factor, Setting, Work
+from dhcli.checking.diagnosis.work import Factor, Level, Made, Maker, Setting, Work
 from dhcli.kinematics.conventions import Row, moves_of
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, add, multiply, negate
 from dhcli.notation.walk import symbols
 
 
-class _Rows(Catalogue):
+class _Rows(Catalogue[Maker]):
     """Mistakes in rows."""
 
     def in_each(self, *record: str, of_values: bool = False, rank: Rank = Rank.PLACE) -> Callable[[Change], Change]:

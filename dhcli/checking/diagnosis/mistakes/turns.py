@@ -11,14 +11,14 @@ from functools import partial
 from itertools import pairwise
 
 from dhcli.checking.diagnosis.mistakes.changes import all_rows, each, in_row
-from dhcli.checking.diagnosis.mistakes.record import Catalogue, Level, Made
 from dhcli.checking.diagnosis.mistakes.rows import sine_cosine
+from dhcli.checking.diagnosis.record import Catalogue
 from dhcli.checking.diagnosis.result import Rank
-from dhcli.checking.diagnosis.work import Factor, Setting, Work
+from dhcli.checking.diagnosis.work import Factor, Level, Made, Maker, Setting, Work
 from dhcli.kinematics.conventions import Convention, Row
 from dhcli.notation.angle import Angle
 
-IN_TURNS = Catalogue(Level.TABLE)
+IN_TURNS: Catalogue[Maker] = Catalogue(Level.TABLE)
 
 IN_TURNS(
     "sin-cos-all",

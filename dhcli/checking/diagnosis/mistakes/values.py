@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterator
 from typing import TypeAlias
 
 from dhcli.checking.diagnosis.mistakes.changes import OFFSETS, scale_of
+from dhcli.checking.diagnosis.record import Catalogue
 from dhcli.checking.diagnosis.terms import flipped, pieces, shown
 from dhcli.checking.diagnosis.work import Setting
 from dhcli.checking.exercise import Exercise
-from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import has_angle_unit
 from dhcli.notation.tree import ZERO, Expr, Trig, Unit, add, multiply, negate, number
@@ -19,58 +19,31 @@ from dhcli.notation.walk import rebuild, substitute, symbols, walk
 ValueMaker: TypeAlias = Callable[[Expr, Exercise], Iterator[tuple[str, Expr]]]
 
 
-@frozen
-class ValueMistake:
-    """A kind of mistake in a value.
-
-    Attributes:
-        id: The name under which exercises ask for it.
-        words: What has happened, `{where}` for the place.
-        hint: Where to look, without the answer.
-        made: Every way to make it in an expression, each with its place.
-    """
-
-    id: str
-    words: str
-    hint: str
-    made: ValueMaker
-
-
-IN_VALUES: list[ValueMistake] = []
+IN_VALUES: Catalogue[ValueMaker] = Catalogue()
 """In the order in which they are tried and named."""
 
 
-def _mistake(name: str, words: str, hint: str) -> Callable[[ValueMaker], ValueMaker]:
-    """The record of a mistake, beside what makes it."""
-
-    def taken(made: ValueMaker) -> ValueMaker:
-        IN_VALUES.append(ValueMistake(name, words, hint, made))
-        return made
-
-    return taken
-
-
-@_mistake("value-sign", "the sign of the whole value is turned round", "look at the sign")
+@IN_VALUES("value-sign", "the sign of the whole value is turned round", "look at the sign")
 def sign(expr: Expr, _exercise: Exercise) -> Iterator[tuple[str, Expr]]:
     """The other sign."""
     yield "", negate(expr)
 
 
-@_mistake("term-sign", "the sign of {where} is turned round", "look at the signs of the terms")
+@IN_VALUES("term-sign", "the sign of {where} is turned round", "look at the signs of the terms")
 def term_sign(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
     """One term of a sum with the other sign."""
     for term, changed in flipped(expr):
         yield _shown(term, exercise), changed
 
 
-@_mistake("term-forgotten", "{where} is left out", "count the terms")
+@IN_VALUES("term-forgotten", "{where} is left out", "count the terms")
 def term_forgotten(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
     """One term of a sum left out, wherever the sum stands."""
     for piece in pieces(expr):
         yield _shown(piece.term, exercise), piece.put(ZERO)
 
 
-@_mistake(
+@IN_VALUES(
     "sin-cos", "sine and cosine have changed places", "look at sine and cosine: from which axis is the angle measured?"
 )
 def sine_cosine(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
@@ -81,7 +54,7 @@ def sine_cosine(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
         yield "", add(_degrees(90), negate(expr))
 
 
-@_mistake(
+@IN_VALUES(
     "angle-unit",
     "an angle is taken in the wrong unit, degrees for radians or the other way round",
     "is your calculator in degrees or in radians?",
@@ -94,7 +67,7 @@ def angle_unit(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
         yield "", substitute(expr, {}, in_other)
 
 
-@_mistake("in-mm", "the unit is another, mm for m", "look at the unit of the sheet")
+@IN_VALUES("in-mm", "the unit is another, mm for m", "look at the unit of the sheet")
 def other_unit(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
     """Millimetres on a sheet in metres, or the other way round."""
     unit = exercise.metres if exercise.unit != "none" else exercise.metres * 0
@@ -105,7 +78,7 @@ def other_unit(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
         yield "", multiply(factor, expr)
 
 
-@_mistake("turned", "the angle is off by {where}", "from which axis is the angle measured?")
+@IN_VALUES("turned", "the angle is off by {where}", "from which axis is the angle measured?")
 def turned(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
     """An angle measured from another axis."""
     if _is_angle(expr, exercise):
