@@ -26,8 +26,8 @@ _NUMBER_WORDS = (
 
 
 _COUNTED = regex(
-    r"\s{0,9}(?:d\.?o\.?f\.?\s{0,9}[:=]\s{0,9})?(?P<number>[a-z]{1,9}|\d{1,9})(?:\.0{1,9})?"
-    r"(?:\s{1,9}(?:d\.?o\.?f\.?s?|degrees? of freedom"
+    r"\s{0,9}(?:(?P<before>d\.?o\.?f\.?)\s{0,9}[:=]\s{0,9})?(?P<number>[a-z]{1,9}|\d{1,9})(?:\.0{1,9})?"
+    r"(?:\s{1,9}(?P<behind>d\.?o\.?f\.?s?|degrees? of freedom"
     r"|(?:link|joint|freedom|constraint|solution|way|posture|branch)(?:e?s)?))?"
     r"\s{0,9}\.?\s{0,9}",
     re.IGNORECASE,
@@ -66,10 +66,16 @@ def without_label(text: str, shape: Shape | None = None) -> str:
     return _without_label(text, shape)
 
 
-def without_number_word(text: str) -> str:
-    """A text, or the figure of a whole number with what it counts, and of a small one that is a word: `six links`."""
+def without_number_word(text: str, counted: tuple[str, ...]) -> str:
+    """A text, or the figure of a whole number with what it counts, and of a small one that is a word: `six links`.
+
+    Args:
+        text: What was typed.
+        counted: How the words begin for what is counted; a number of something else stays as it is.
+    """
     match = _COUNTED.fullmatch(text)
-    number = match["number"].casefold() if match else ""
+    nouns = [noun.casefold() for noun in match.group("before", "behind") if noun] if match else []
+    number = match["number"].casefold() if match and all(noun.startswith(counted) for noun in nouns) else ""
     if number in _NUMBER_WORDS:
         return str(_NUMBER_WORDS.index(number))
     return number if number.isdecimal() else text

@@ -24,7 +24,15 @@ if TYPE_CHECKING:
     from dhcli.mobility.linkage import Linkage
 
 LARGEST = 10**6
-WHAT = ("mobility", "gruebler", "links", "joints", "constraints", "freedoms")
+_FREEDOMS = ("d", "freedom")
+WHAT = {
+    "mobility": _FREEDOMS,
+    "gruebler": _FREEDOMS,
+    "links": ("link",),
+    "joints": ("joint",),
+    "constraints": ("constraint",),
+    "freedoms": _FREEDOMS,
+}
 
 
 @frozen
@@ -96,7 +104,7 @@ class CountQuestion(Question[int]):
 
     def read(self, case: Case, text: str, place: Place | None = None) -> int:
         self._right(case)
-        expr = parse(without_number_word(without_label(text)), Scope(), place or Place("answer"))
+        expr = parse(without_number_word(without_label(text), WHAT[self.what]), Scope(), place or Place("answer"))
         if any(isinstance(node, Unit) for node in walk(expr)):
             raise UnreadableError("a count is a whole number and has no unit")
         if not isinstance(expr, Number) or expr.value.denominator != 1 or abs(expr.value) > LARGEST:

@@ -38,7 +38,7 @@ class RankQuestion(JacobianTask, OneNumberQuestion):
         )
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Entries:
-        entries = MotionQuestion.read(self, case, without_number_word(text), place)
+        entries = MotionQuestion.read(self, case, without_number_word(text, ()), place)
         typed = entries[0][0].expr
         if not isinstance(typed, Number) or typed.value.denominator != 1:
             raise UnreadableError("a rank is a whole number")

@@ -25,6 +25,8 @@ WORDS = {
     **dict.fromkeys(("yes", "y", "true", "reached", "reachable"), True),
     **dict.fromkeys(("no", "n", "false", "unreachable", "not reached", "not reachable"), False),
 }
+_COUNTED = ("solution", "way", "posture", "branch")
+_BOTH = regex(r"\s*(?:yes|no)\s*(?:and|or|/)\s*(?:yes|no)\b.*", re.DOTALL | re.IGNORECASE)
 _WORD = regex(r"\s*(?:it(?:'s| is) )?(?P<word>not reach(?:ed|able)|[a-z]+)\b.*", re.DOTALL | re.IGNORECASE)
 
 
@@ -78,7 +80,7 @@ class SolutionsQuestion(GoalQuestion[int]):
             yield Finding((*where, "ask"), message, "give another pose", is_warning=True)
 
     def read(self, _case: Case, text: str, _place: Place | None = None) -> int:
-        found = without_number_word(without_label(text)).strip().rstrip(".")
+        found = without_number_word(without_label(text), _COUNTED).strip().rstrip(".")
         if not found.isdecimal() or int(found[:9]) > MOST_TYPED:
             raise UnreadableError("a number of solutions is a whole number")
         return int(found)
@@ -159,7 +161,8 @@ class ReachQuestion(GoalQuestion[bool]):
         yield Shown(self._why(case))
 
     def read(self, _case: Case, text: str, _place: Place | None = None) -> bool:
-        match = _WORD.fullmatch(without_label(text))
+        text = without_label(text)
+        match = None if _BOTH.fullmatch(text) else _WORD.fullmatch(text)
         word = match["word"].lower() if match else ""
         if word not in WORDS:
             raise UnreadableError("write yes or no; a reason may stand behind it")
