@@ -17,7 +17,7 @@ from dhcli.kinematics.inverse.reasons import too_far
 from dhcli.kinematics.inverse.running import run
 from dhcli.kinematics.inverse.searching import find, nearest_to
 from dhcli.kinematics.inverse.solutions import turning_joints
-from dhcli.kinematics.inverse.solving import least_singular, representatives, tries
+from dhcli.kinematics.inverse.solving import Solved, least_singular, representatives, tries
 from dhcli.kinematics.inverse.targets import read_targets
 from dhcli.kinematics.inverse.tasks import TaskName
 from dhcli.kinematics.inverse.trying import CONFIRMED, Found
@@ -36,6 +36,9 @@ if TYPE_CHECKING:
 
 BLOCK = 2048
 """Poses at a time: with eight branches a column of numbers then fills 128 kB."""
+
+NEAREST = 64
+"""Poses of a block behind which the nearest one is looked for: where many are beyond reach, that would take hours."""
 
 Each = Literal["all", "nearest", "first"]
 """Which solutions of a pose are wanted: all, the one nearest to some joint values, or one."""
@@ -59,7 +62,9 @@ def inverse_batch(  # noqa: PLR0913  what may be asked of poses
     """Joint vectors that take the end of a robot to many poses.
 
     Of an arm with joints to spare, and of one whose joints do not follow one by one, a pose for which the plan finds
-    nothing is looked for by itself, as `inverse` does; that takes some hundredths of a second each.
+    nothing is looked for by itself, as `inverse` does, with joints to spare held elsewhere; that takes some
+    milliseconds each. The nearest pose, which may be the pose itself where all of it is singular, takes some hundredths
+    of a second: it is looked for behind the first 64 such poses of each 2,048 alone.
 
     Args:
         robot: The robot.
@@ -156,9 +161,13 @@ def _searched(question: Question, goals: Array, held: dict[int, float], toleranc
     ready = question.ready
     lost = np.flatnonzero(np.bincount(found.index, minlength=len(goals)) == 0)
     near = [k for k in lost.tolist() if not too_far(ready.arm, ready.task, goals[k])]
-    alone = [
-        find(question, goals[k], held, None, tolerance, partial(nearest_to, ready, goals[k], held))[0] for k in near
-    ]
+    nowhere = np.zeros(ready.arm.joints), np.inf, np.inf
+
+    def alone_at(rank: int, k: int) -> Solved:
+        nearest = partial(nearest_to, ready, goals[k], held) if rank < NEAREST else lambda: nowhere
+        return find(question, goals[k], held, None, tolerance, nearest)[0]
+
+    alone = [alone_at(rank, k) for rank, k in enumerate(near)]
     if not any(len(each.motions) for each in alone):
         return found
     motions, residual = (np.concatenate([getattr(each, part) for each in alone]) for part in ("motions", "residual"))

@@ -382,3 +382,19 @@ def test_a_value_that_only_rounding_makes_differ_names_no_branch() -> None:
         "wrist flip, lift = 0.2 m",
         "wrist flip, lift = 0.5 m",
     )
+
+
+def test_the_nearest_pose_is_looked_for_behind_few_poses_of_a_batch(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is beyond reach tells nothing for its time; joints to spare are held elsewhere for every pose."""
+    robot = load_robot("panda")
+    poses = forward_batch(robot, np.random.default_rng(1).uniform(-2, 2, (12, 7)))
+    asked = list[object]()
+    monkeypatch.setattr(batch, "nearest_to", lambda *given: (asked.append(given), (np.zeros(7), np.inf, np.inf))[1])
+    assert set(inverse_batch(robot, poses)[1].tolist()) == set(range(12))
+    beyond = np.array(poses)
+    beyond[:, :3, 3] *= 1.25
+    for most, wanted in ((0, 0), (12, range(2, 13))):
+        asked.clear()
+        monkeypatch.setattr(batch, "NEAREST", most)
+        inverse_batch(robot, beyond)
+        assert len(asked) in ([wanted] if isinstance(wanted, int) else wanted)
