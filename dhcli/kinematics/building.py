@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TypeVar
@@ -22,6 +23,8 @@ from dhcli.notation.tree import Expr
 Cell = float | str
 _A_ROW = "each is a mapping with a, alpha, d, theta, or these four in this order"
 _A_TOOL = "write moves, 'Trans(0, 0, 0.1)'"
+_ROUND = 15
+"""Whole multiples of this, beyond a turn, are degrees: nobody means 90 rad."""
 Made = TypeVar("Made", bound=Description)
 
 
@@ -105,6 +108,9 @@ def _angle(cell: object, scope: Scope, place: Place) -> Angle:
         found = value_of(cell, str(place), is_angle=True)
         if not isinstance(found, Angle):
             raise RobotError(Problem(f"{found} is a length, an angle is wanted", place, "write '90°' or radians"))
+        if isinstance(cell, int | float) and abs(cell) > math.tau and cell % _ROUND == 0:
+            hint = f"write '{cell:g}°', or radians: math.radians({cell:g})"
+            raise RobotError(Problem(f"{cell:g} rad is {abs(cell) / math.tau:.3g} turns", place, hint))
         return found
     try:
         return to_angle(parse(cell, scope, place), bare="refuse")

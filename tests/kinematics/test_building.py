@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 
 from dhcli import DhcliError, Robot, forward, list_robots, load_robot
+from dhcli.errors import RobotError
 from dhcli.files.urdf.writing import urdf_text
 from dhcli.files.yaml.robots import read_robot
 from dhcli.files.yaml.writing import described_text
@@ -173,6 +175,14 @@ def test_a_length_of_a_table_may_stay_open() -> None:
     assert Robot.from_screws([(0, 0, 1, 0, 0, 0)], "Trans(0.7, 0, 0)").links[0].product == (
         "Rot(z, theta1) * Trans(0.7, 0, 0)"
     )
+
+
+@pytest.mark.parametrize("alpha", [90, -90.0, 180])
+def test_degrees_among_radians_are_refused(alpha: float) -> None:
+    """Nobody means 90 rad, and the arm would be another without a word."""
+    with pytest.raises(RobotError, match=rf"row 1: {alpha:g} rad is .* turns(.|\n)*write '{alpha:g}°'"):
+        Robot.from_dh([(0.3, alpha, 0, "q1")], variables=["q1"])
+    assert Robot.from_dh([(0.3, math.radians(alpha), 0, "q1")], variables=["q1"]).joints == "R"
 
 
 def test_numbers_that_a_file_would_take_for_right_angles_are_saved_as_they_are(tmp_path: Path) -> None:
