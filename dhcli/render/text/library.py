@@ -7,7 +7,7 @@ from itertools import groupby
 from typing import Any
 
 from dhcli.files.library.catalogue import Listed
-from dhcli.files.library.lookup import BUILT_IN
+from dhcli.files.library.lookup import BUILT_IN, Kind
 from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
 from dhcli.render.paper import WIDE
@@ -21,11 +21,13 @@ def library_table(listed: Sequence[Listed], look: Look) -> str:
     for kind, group in groupby(listed, key=lambda one: one.kind):
         listed_here = list(group)
         solved = ["solved"] if any(one.solved for one in listed_here) else []
-        # In a narrow window what is the same in every row leaves its place to the titles.
+        # In a narrow window what is the same in every row leaves its place to titles, and so do joints of exercises.
         is_narrow = look.paper.terminal and look.paper.width < WIDE
         origin = [] if is_narrow and all(one.entry.origin == BUILT_IN for one in listed_here) else ["from"]
-        rows = [_row(one, look, with_solved=bool(solved), with_origin=bool(origin)) for one in listed_here]
-        heads = [kind.value, "joints", *solved, "title", *origin]
+        joints = [] if is_narrow and kind is Kind.EXERCISES else ["joints"]
+        heads = [kind.value, *joints, *solved, "title", *origin]
+        cells = [{**_cells(one, look), kind.value: _name(one, look)} for one in listed_here]
+        rows = [[row[head] for head in heads] for row in cells]
         tables.append(table_text(heads, rows, look.paper, cut="title"))
     return "\n".join(tables)
 
@@ -61,7 +63,12 @@ def library_content(listed: Sequence[Listed], _look: Look) -> dict[str, Any]:
     }
 
 
-def _row(one: Listed, look: Look, *, with_solved: bool, with_origin: bool) -> list[str]:
+def _name(one: Listed, look: Look) -> str:
+    return Inked(look.paper.ink(look.paper.spell(one.entry.name), "cyan"))
+
+
+def _cells(one: Listed, look: Look) -> dict[str, str]:
+    """What may stand behind the name, by its head."""
     paper = look.paper
     if one.problems:
         more = f" (and {len(one.problems) - 1} more)" if len(one.problems) > 1 else ""
@@ -73,10 +80,5 @@ def _row(one: Listed, look: Look, *, with_solved: bool, with_origin: bool) -> li
         title = paper.ink(paper.spell(f"hidden by the one above of this name: {one.title}"), "dim")
     else:
         title = paper.spell(one.title)
-    return [
-        Inked(paper.ink(paper.spell(one.entry.name), "cyan")),
-        one.joints or "-",
-        *([one.solved or "-"] if with_solved else []),
-        Inked(title),
-        *([Inked(paper.ink(paper.spell(one.entry.origin), "dim"))] if with_origin else []),
-    ]
+    origin = Inked(paper.ink(paper.spell(one.entry.origin), "dim"))
+    return {"joints": one.joints or "-", "solved": one.solved or "-", "title": Inked(title), "from": origin}
