@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -421,13 +421,16 @@ def _file(chance: random.Random) -> Case:
     return Case(words, {name: mutated(content.decode(), chance).encode("utf-8", "surrogatepass")})
 
 
-def _rows(chance: random.Random) -> Case:
-    name = chance.choice(sorted(ROWS))
-    content = ROWS[name]
+def _spoilt(files: Mapping[str, bytes], chance: random.Random) -> tuple[str, bytes]:
+    """One of some files of rows, with something in it changed."""
+    name = chance.choice(sorted(files))
     if name.endswith(".npy") or chance.random() < 0.2:
-        content = mutated_bytes(content, chance)
-    else:
-        content = mutated(content.decode(), chance).encode("utf-8", "surrogatepass")
+        return name, mutated_bytes(files[name], chance)
+    return name, mutated(files[name].decode(), chance).encode("utf-8", "surrogatepass")
+
+
+def _rows(chance: random.Random) -> Case:
+    name, content = _spoilt(ROWS, chance)
     more = chance.choice(((), ("--deg",), ("--skip-bad", "--ignore-columns"), ("--as", "rpy", "--format", "jsonl")))
     lines = [("fk", "scara", "--in", name, *more)] * 2
     lines += [("jacobian", "scara", "--rows", name, "--skip-bad"), ("fk", "scara", "--q", f"@{name}")]
@@ -435,12 +438,7 @@ def _rows(chance: random.Random) -> Case:
 
 
 def _poses(chance: random.Random) -> Case:
-    name = chance.choice(sorted(POSES))
-    content = POSES[name]
-    if name.endswith(".npy") or chance.random() < 0.2:
-        content = mutated_bytes(content, chance)
-    else:
-        content = mutated(content.decode(), chance).encode("utf-8", "surrogatepass")
+    name, content = _spoilt(POSES, chance)
     more = chance.choice(((), ("--skip-bad",), ("--task", "position"), ("--skip-bad", "--follow", "--near", "zero")))
     return Case(("ik", "scara", "--in", name, *more), {name: content})
 
