@@ -60,7 +60,7 @@ def taken_exactly(expr: Expr, key: str, remarks: list[str]) -> Expr:
     """An angle with right angles in the place of their decimals in radians, and a remark on each."""
     found: list[str] = []
     expr = with_right_angles(expr, found)
-    remarks += [f"{key}: {remark} (exact: false keeps it)" for remark in found]
+    remarks += [type(remark)(f"{key}: {remark} (exact: false keeps it)") for remark in found]
     return expr
 
 
