@@ -69,7 +69,7 @@ MAY = {
     "start planar-two-links -o -": EXERCISE,
     "hint planar-two-links": f"{EXERCISE} json storage render.text",
     "solution planar-two-links --yes": f"{EXERCISE} csv kinematics.describe render.code render.text",
-    "grade sheets": f"{GRADED} multiprocessing random socket statistics tempfile",
+    "grade sheets": f"{GRADED} multiprocessing random socket tempfile",
     "lint exercise.yaml": f"{EXERCISE} {EXPLAINED} lint render.text",
     "new robot my-arm --overwrite": f"{BASE} files files.library files.yaml storage",
     "schema robot": "algebra geometry kinematics notation render json files files.keys",
