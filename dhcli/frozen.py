@@ -284,13 +284,13 @@ def _delattr(_self: object, name: str) -> None:
     raise FrozenInstanceError(f"cannot delete field {name!r}")
 
 
-def _getstate(self: object) -> list[object]:
-    return [getattr(self, each.name) for each in _fields(self)]
+def _getstate(self: Any) -> list[object]:  # noqa: ANN401  one of whatever class is made here
+    return [getattr(self, name) for name in self.__dataclass_fields__]
 
 
-def _setstate(self: object, state: Iterable[object]) -> None:
-    for each, value in zip(_fields(self), state, strict=True):
-        object.__setattr__(self, each.name, value)
+def _setstate(self: Any, state: Iterable[object]) -> None:  # noqa: ANN401  the same
+    for name, value in zip(self.__dataclass_fields__, state, strict=True):
+        object.__setattr__(self, name, value)
 
 
 class _Signature:
