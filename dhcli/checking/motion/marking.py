@@ -13,7 +13,7 @@ from dhcli.checking.motion.reading import as_read
 from dhcli.checking.other_unit import InUnit, is_clear, judged_in, plainly_in
 from dhcli.checking.symbolic import about_equal, counterexample, has_decimals, same
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals, without_unit
-from dhcli.checking.verdicts import AGREEING, CellMark, Mark, Verdict, worst
+from dhcli.checking.verdicts import AGREEING, APPROXIMATE, TO_DIGITS, CellMark, Mark, Verdict, worst
 from dhcli.notation.writer import write
 
 
@@ -39,11 +39,7 @@ def _marked(exercise: Exercise, entries: Entries, cells: tuple[CellMark, ...]) -
     verdict = worst(cell.verdict for cell in cells)
     remarks: tuple[str, ...] = ()
     if verdict is Verdict.ROUNDED:
-        remarks = (
-            "right to the digits typed; more digits are wanted"
-            if exercise.numeric
-            else "right approximately: decimals stand where an exact value is",
-        )
+        remarks = (TO_DIGITS if exercise.numeric else APPROXIMATE,)
     width = len(entries[0])
     reading = _in_rows([write(entry.typed, "short", exercise.writing) for row in entries for entry in row], width)
     expected = _in_rows([cell.expected for cell in cells], width)

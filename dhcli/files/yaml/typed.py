@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dhcli.errors import NotationError
+from dhcli.files.keys.shapes import FLAGS
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedScalar
 from dhcli.notation.angle import Angle
@@ -13,7 +14,6 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
 
 MOST_DIGITS = 3
-FLAGS = {"true": True, "yes": True, "false": False, "no": False}
 NOTHING = Scope()
 """A scope without names, for values that must be constants."""
 
