@@ -109,7 +109,7 @@ class Coordinates:
     def _coordinates(self, node: PlacedNode, key: str) -> Vector:
         example = "[x, y]" if self.dimensions < len(ALONG) else "[x, y, z]"
         is_round = isinstance(node, PlacedScalar) and node.text.startswith("(")
-        items = self.problems.sequence(node, key, "" if is_round else example)
+        items = self.problems.sequence(node, key, "" if is_round else example, count=self.dimensions)
         if items and not self.dimensions <= len(items) <= len(ALONG):
             wanted = "two coordinates" if self.dimensions < len(ALONG) else "three coordinates"
             hint = "write [x, y]" if self.dimensions < len(ALONG) else "write [x, y, z]"
