@@ -10,7 +10,7 @@ from dhcli.checking.entries import Entries, Entry, entries_text, values_of
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.grid import Grid, scale_of, typed
 from dhcli.checking.motion.reading import as_read
-from dhcli.checking.other_unit import InUnit, is_clear, judged_in, plainly_in
+from dhcli.checking.other_unit import InUnit, judged_in, plainly_in
 from dhcli.checking.symbolic import about_equal, counterexample, has_decimals, same
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals, without_unit
 from dhcli.checking.verdicts import AGREEING, APPROXIMATE, TO_DIGITS, TOO_FEW, UNSOLVED, CellMark, Mark, Verdict, worst
@@ -65,7 +65,7 @@ def in_other_unit(case: Case, right: Grid, entries: Entries, own: Sequence[CellM
         return InUnit(unit, moved, _marked(exercise, entries, mark_numbers(case, there, right, moved)))
 
     lengths = [
-        (value, limit) if power and is_clear(value, limit) else (0.0, 0.0)
+        (value, limit) if power else (0.0, 0.0)
         for row in zip(truth, limits, right.powers, strict=True)
         for value, limit, power in zip(*row, strict=True)
     ]
