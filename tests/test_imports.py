@@ -61,7 +61,7 @@ MAY = {
     "list": f"{LISTED} checking checking.diagnosis",
     "list linkages": LISTED,
     "dof 6R": COUNTED,
-    "dof --planar --links 4 --joints 4R": COUNTED,
+    "dof --planar --links 4 --joints 4R": f"{BASE} mobility render.text",
     "dof bennett": f"{COUNTED} yaml numpy random",
     "check planar-two-links --part d02 --answer a1*c1+a2*c12,a1*s1+a2*s12,0": CHECK,
     "check puma560 --symbolic --from 5 --answer [c6,-s6,0,0;0,0,1,0;-s6,-c6,0,0;0,0,0,1]": CHECK,

@@ -8,7 +8,7 @@ from typing import Literal
 
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.frozen import frozen
-from dhcli.notation.names import GREEK, GREEK_NAMES, describe, foreign_letter
+from dhcli.notation.names import GREEK, GREEK_NAMES, SUBSCRIPTS, describe, foreign_letter
 from dhcli.notation.styles import SPOKEN_FOR
 from dhcli.regex import regex
 
@@ -34,7 +34,6 @@ _OPERATORS = {
 _SIGNS = {**_OPERATORS, "**": "^"}
 _SUPERSCRIPT = regex("(⁻?)([⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
-_LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _NOISE = "─━═┄┈╌┌┬┐├┼┤└┴┘┏┳┓┡╇┩┢┣╋┫┗┻┛╔╦╗╠╬╣╚╩╝╭╮╯╰⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠$"
 """What frames a table or a formula on a screen and means nothing."""
 _GREEK_LETTERS = "".join(GREEK)
@@ -165,7 +164,7 @@ def tokenize(source: Source, *, decimal_comma: bool = False, most: int = MOST_CH
             position, spaced = end, False
         elif match and kind == "word":
             end, word = match.end(), match[0]
-            tokens.append(Token("word", word if word.isascii() else word.translate(_LOWERED), position, end, spaced))
+            tokens.append(Token("word", word if word.isascii() else word.translate(SUBSCRIPTS), position, end, spaced))
             position, spaced = end, False
         elif match and kind == "number" and (depth or not decimal_comma):
             end = match.end()

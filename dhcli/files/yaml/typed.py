@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from dhcli.errors import NotationError
+from dhcli.files.keys.shapes import FLAGS
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.slips import node_kind
@@ -17,7 +18,6 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
 
 MOST_DIGITS = 3
-FLAGS = {"true": True, "yes": True, "false": False, "no": False}
 _MOVES = "Trans(0, 0, 0.1) Rot(z, 90°)"
 NOTHING = Scope()
 """A scope without names, for values that must be constants."""
