@@ -80,8 +80,6 @@ from tests.cli.running import Run
         ("transform Rot(z,90)", "write 90° or 1.5708 rad"),
         ("ik scara --target 0.3,0.3,0", "write --position 0.3,0.3,0, where"),
         ("transform Rot(z,-1.5)", "write -1.5° or -1.5 rad"),
-        ("fk scara --rows q.csv", "did you mean --in FILE?"),
-        ("ik scara --rows q.csv", "did you mean --in FILE?"),
         ("jacobian scara --in q.csv", "dhcli jacobian scara --rows q.csv"),
         ("fk scara --q 30\udcc2\udcb0,0,0", "write deg, pi, sqrt, theta1"),
         ("transform Trans(1,2)", "Trans"),
@@ -157,7 +155,7 @@ def test_many_rows_behind_q_are_sent_where_rows_go(dhcli: Run, tmp_path: Path) -
     done = dhcli("fk", "scara", "--q", f"@{rows}")
     assert done.code == 2
     assert "10 rows of 3 values, and one pose is wanted" in done.err
-    assert f"fk --in {rows}" in done.err
+    assert f"fk --rows {rows}" in done.err
 
 
 @pytest.mark.parametrize(
@@ -267,8 +265,8 @@ def test_nothing_that_a_user_types_steers_the_terminal(dhcli: Run, steering: str
         "fk ~/arm.yaml",
         "show ~/arm.yaml",
         "draw scara --beside ~/arm.yaml",
-        "fk scara --in ~/q.csv",
-        "fk scara --in ~/q.npy",
+        "fk scara --rows ~/q.csv",
+        "fk scara --rows ~/q.npy",
         "fk scara --q @~/q.txt",
         "dof ~/press.yaml",
         "check planar-two-links ~/a.sheet.yaml",
@@ -296,13 +294,13 @@ def test_a_home_between_quotes_is_told_with_what_to_write(
 @pytest.mark.parametrize(
     "words",
     [
-        ("fk", "scara", "--in", ""),
-        ("ik", "scara", "--in", ""),
+        ("fk", "scara", "--rows", ""),
+        ("ik", "scara", "--rows", ""),
         ("check", "planar-two-links", ""),
         ("new", "robot", "arm", "--from", ""),
         ("lint", ""),
         ("grade", ""),
-        ("draw", "scara", "--in", ""),
+        ("draw", "scara", "--rows", ""),
         ("fk", "scara", "--pose", "pick", "--format", "json", "-o", ""),
         ("fk", "scara", "--pose", "pick", "-o", ""),
         ("new", "robot", "arm", "-o", ""),

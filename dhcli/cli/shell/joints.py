@@ -98,6 +98,4 @@ def _assigned(lines: list[str], place: Place, path: str) -> str:
 
 def _many(rows: int, width: int, place: Place, path: str) -> Problem:
     message = f"{plural(rows, 'row')} of {plural(width, 'value')}, and one pose is wanted"
-    return Problem(
-        message, place, f"many rows: fk --in {path}, draw --in {path} or jacobian --rows {path}; else leave one"
-    )
+    return Problem(message, place, f"many rows: fk --rows {path}; else leave one")
