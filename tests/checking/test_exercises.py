@@ -155,7 +155,7 @@ def test_its_own_tests_come_out(name: str) -> None:
     assert {"RIGHT", "WRONG"} <= {trial.verdict for trial in exercise.trials}
 
 
-@exercises
+@thirds(1)
 def test_every_part_has_hints_and_a_solution(name: str) -> None:
     """From gentle to plain, none twice; the solution ends with an answer that is right when it is copied."""
     exercise = loaded(name)

@@ -26,7 +26,7 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Symbol, number
 from tests.checking.tables.robots_with_tables import NAMES, Move, keeping, mutations, robot, rows_of
 from tests.judging import answer_with, slips
-from tests.nightly import NIGHT, some
+from tests.nightly import NIGHT, in_turn
 
 MODIFIED, STANDARD = Convention.MODIFIED, Convention.STANDARD
 
@@ -367,7 +367,7 @@ def test_the_row_that_holds_a_slip_is_among_those_to_look_at(name: str) -> None:
     """In standard DH the axis of joint k + 1 is placed by row k, in modified by row k + 1."""
     task = question_about_table(robot(name), robot(name).convention)
     seen = 0
-    for slip in some(slips(task, task.parts[0]), 3):
+    for slip in in_turn(slips(task, task.parts[0]), 1, 5):
         mark = check(task, "table", answer_with(task, task.parts[0], slip.name))
         row = slip.name.partition(" ")[2]
         if slip.name.startswith("thetas-swapped"):

@@ -60,7 +60,7 @@ def _asked(browser: WebDriver) -> list[str]:
     return [e["params"]["request"]["url"] for e in events if e["method"] == "Network.requestWillBeSent"]
 
 
-@pytest.mark.parametrize("name", in_turn([*ROBOTS, *LINKAGES], 0, 2))
+@pytest.mark.parametrize("name", in_turn([*ROBOTS, *LINKAGES], 0, 3))
 def test_a_page_names_no_address_but_those_of_namespaces(name: str) -> None:
     """Read as text, with no browser: nothing that could be fetched."""
     text = draw(_linkage(name) if name in LINKAGES else load_robot(name)).page()
@@ -73,7 +73,7 @@ def test_a_page_names_no_address_but_those_of_namespaces(name: str) -> None:
 def test_pages_compute_what_dhcli_computes(browser: WebDriver, tmp_path: Path) -> None:
     """Every robot, random joint values, every frame from the first: within 1e-12 of forward."""
     rng = random.Random(18)  # noqa: S311  no secret
-    for name in REAL:
+    for name in in_turn(REAL, 0, 2):
         robot = load_robot(name)
         _open(browser, draw(robot), tmp_path, name)
         turning = [joint.kind == "revolute" for joint in robot.joints]
@@ -189,7 +189,7 @@ return [boxes.length, n];
 def test_no_label_overlaps_another_in_the_letters_of_a_browser(browser: WebDriver) -> None:
     """By the boxes that Chromium gives them: every robot and linkage, as a figure."""
     browser.get("about:blank")
-    for picture in _pictures():
+    for picture in in_turn([*_pictures()], 0, 3):
         count, overlaps = browser.execute_script(OVERLAPS, picture.svg())
         assert count > 0
         assert overlaps == 0, picture
