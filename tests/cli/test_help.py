@@ -14,7 +14,7 @@ from dhcli.render.paper import Paper
 from dhcli.render.text.manual import page_text
 from tests.cli.running import Run
 from tests.cli.terminal import Terminal
-from tests.nightly import paired
+from tests.nightly import in_turn, paired
 
 
 def test_without_a_topic_all_are_listed(dhcli: Run) -> None:
@@ -56,7 +56,7 @@ def test_an_unknown_topic_is_answered_with_the_nearest(dhcli: Run, typed: str, h
     assert hint in done.err
 
 
-@pytest.mark.parametrize(("name", "unicode"), paired([topic.name for topic in topics()], [True, False]))
+@pytest.mark.parametrize(("name", "unicode"), in_turn(paired([topic.name for topic in topics()], [True, False]), 0, 3))
 def test_running_text_fits_a_narrow_window(name: str, *, unicode: bool) -> None:
     """Examples and tables are as wide as they are; in ASCII every letter is."""
     text = page_text("# One\n\n" + "words and `code` " * 40, Paper(40, terminal=True, unicode=unicode))

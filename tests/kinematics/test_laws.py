@@ -94,7 +94,7 @@ def test_the_24_quarter_turns_are_24() -> None:
     assert all(round(np.linalg.det(np.array(turn))) == 1 for turn in quarter_turns())
 
 
-@examples(3)
+@examples(2)
 @given(any_chains)
 def test_merging_does_not_change_the_pose(chain: Chain) -> None:
     """fold(merge(c)) = fold(c), exactly; the law that lets the textbook's form be trusted."""
