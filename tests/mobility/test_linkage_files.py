@@ -14,6 +14,7 @@ from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.pairs import LETTERS, PLANAR, SPATIAL, pair_of
 from dhcli.mobility.slips import count, slips
 from tests.nightly import NIGHT
+from tests.row_by_row import row_by_row
 
 LIBRARY = {
     "3-rrr": (3, 3),
@@ -134,7 +135,7 @@ def test_a_word_finds_a_file_a_name_a_robot_or_a_pattern() -> None:
     assert "6R" in caught.value.problems[0].hint
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "message"),
     [
         (FOUR_BAR + "joints: [ground R a at A, a R a at B]", "joint 2: ties a to itself"),

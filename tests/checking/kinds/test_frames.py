@@ -34,6 +34,7 @@ from dhcli.notation.tree import ONE
 from tests.coupled import COUPLED
 from tests.judging import answer_with, checked, expected, mark, slips, solution, vary
 from tests.nightly import NIGHT, paired
+from tests.row_by_row import row_by_row
 
 LIBRARY = Path(__file__).parents[3] / "robots"
 OPEN = ("dh-link", "dh-link-modified", "assembly-blocks", *COUPLED)
@@ -262,7 +263,7 @@ def test_frames_are_read_as_people_type_them(answer: str) -> None:
     assert told(answer).verdict is Verdict.RIGHT
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("answer", "said"),
     [
         ("0 +x +z; (a, 0, 0) +x +z", "frame 2 is missing: frames 0 to 3 are asked for"),

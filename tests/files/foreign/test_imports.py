@@ -21,6 +21,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.render.look import Look
 from dhcli.render.text.robot import robot_csv
 from tests.coupled import COUPLED
+from tests.row_by_row import row_by_row
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -142,7 +143,7 @@ def test_links_come_in_the_order_in_which_the_robot_names_them_and_their_unit_ca
     assert gap(robot, [0.4, 0.7], standard(0.4, 0, 0.3, 0) @ standard(0.7, 0, 0.2, 0)) < 1e-15
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "said"),
     [
         ("L = Link('d', q, 'alpha', zz(3))", "zz(...) is not read"),
@@ -236,7 +237,7 @@ def test_rows_of_numbers_get_the_joints_that_are_said() -> None:
     assert gap(bare, [0.3, 0.5], standard(0.3 + math.pi / 2, 0, 1, 0) @ shift(1, 0, 0.8)) < 1e-15
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "wish", "said"),
     [
         ("a,alpha,d,theta\n1,0,0,q1\n", {}, "does not say which convention"),
@@ -310,7 +311,7 @@ def test_a_urdf_is_written_as_products_or_as_a_table() -> None:
     assert gap(table, q, forward(products, q).matrix, start="base", end="tool") < 1e-14
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "form"),
     [
         ("<?xml version='1.0'?><robot name='x'/>", Form.URDF),

@@ -21,6 +21,7 @@ from dhcli.kinematics.forward import forward
 from dhcli.kinematics.inverse.asked import inverse
 from dhcli.kinematics.robot import Robot
 from tests.coupled import COUPLED
+from tests.row_by_row import row_by_row
 
 DATA = Path(__file__).parents[2] / "data" / "urdf"
 THREE = (DATA / "three-joints.urdf").read_text("utf-8")
@@ -128,7 +129,7 @@ def test_another_base_and_tip_are_another_chain() -> None:
     assert np.abs(forward(robot, [0.4, 0.2]).matrix - np.linalg.inv(above) @ whole).max() < 1e-4
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "degrees"),
     [
         ("1.5708", 90),
@@ -151,7 +152,7 @@ def test_only_what_was_typed_as_a_round_angle_is_taken_for_one(text: str, degree
     assert round_degrees(text) == degrees
 
 
-@pytest.mark.parametrize("name", EXPORTED)
+@row_by_row("name", EXPORTED)
 def test_a_written_urdf_moves_as_the_robot(name: str) -> None:
     """Read by dhcli and walked by numpy, base to tool."""
     robot = load_robot(name)
@@ -186,7 +187,7 @@ def with_change(old: str, new: str) -> str:
     return THREE.replace(old, new, 1)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "said"),
     [
         (THREE, "has 2 tips: which one?"),

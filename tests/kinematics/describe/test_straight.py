@@ -22,6 +22,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.notation.tree import ONE, ZERO, Number
 from tests.kinematics.describe.test_tables import end_by_screws, nasty_arm
 from tests.nightly import NIGHT, cases_for_nights, in_turn
+from tests.row_by_row import row_by_row
 
 WITHIN = 0.02
 """The arms made by chance have neighbours that are a hundredth from parallel."""
@@ -79,7 +80,7 @@ def test_the_tip_is_never_farther_off_than_is_said(seed: int) -> None:
     assert set(told.strokes) <= {line.name for line in arm.lines if line.pitch}
 
 
-@pytest.mark.parametrize("seed", in_turn(range(40), 0, 2))
+@row_by_row("seed", in_turn(range(40), 0, 2))
 def test_no_neighbours_are_left_that_are_nearly_parallel_or_nearly_meet(seed: int) -> None:
     """They are so to the last digit, or not within the angle; and straightening once more finds nothing."""
     arm = nasty_arm(random.Random(seed))  # noqa: S311  the same arms every time
