@@ -18,7 +18,8 @@ def row_by_row(
 ) -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Do as `pytest.mark.parametrize`, in one test: every row is tried, and all that fail are named.
 
-    For rows of a millisecond that leave nothing behind; what a fixture gives is the same for all of them.
+    For rows of a millisecond that leave nothing behind; what a fixture gives is the same for all of them, and to skip
+    one is a failure: it would skip the others too.
     """
     given = [name.strip() for name in names.split(",")] if isinstance(names, str) else list(names)
     table = [row if len(given) > 1 else (row,) for row in rows]
@@ -33,7 +34,7 @@ def row_by_row(
             for row in table:
                 try:
                     test(**dict(zip(given, row, strict=True)), **fixtures)
-                except (Exception, pytest.fail.Exception) as error:  # noqa: BLE001  told below, all of them
+                except (Exception, pytest.fail.Exception, pytest.skip.Exception) as error:  # noqa: BLE001  told below
                     failures.append(error)
                     told.append(
                         f"{_short(', '.join(map(repr, row)))}\n    {type(error).__name__}: {_short(str(error))}"

@@ -137,8 +137,8 @@ def test_it_holds_and_says_what_a_dataclass_does(
     assert not hasattr(ours, "__dict__")
 
 
-@pytest.mark.parametrize(("name", "values", "named"), REFUSED)
-@pytest.mark.parametrize("classes", [OURS, THEIRS], ids=["ours", "theirs"])
+@row_by_row(("name", "values", "named"), REFUSED)
+@row_by_row("classes", [OURS, THEIRS])
 def test_what_is_given_wrongly_is_refused(
     classes: dict[str, Any], name: str, values: tuple[object, ...], named: dict[str, object]
 ) -> None:

@@ -15,6 +15,7 @@ from dhcli.render.text.manual import page_text
 from tests.cli.running import Run
 from tests.cli.terminal import Terminal
 from tests.nightly import in_turn, paired
+from tests.row_by_row import row_by_row
 
 
 def test_without_a_topic_all_are_listed(dhcli: Run) -> None:
@@ -29,7 +30,7 @@ def test_a_page_in_a_pipe_is_markdown(dhcli: Run) -> None:
     assert dhcli("help", "fk").out == read_page("fk")
 
 
-@pytest.mark.parametrize("name", app.COMMANDS)
+@row_by_row("name", app.COMMANDS)
 def test_a_command_is_a_topic(dhcli: Run, name: str) -> None:
     """The page in whose heading it stands."""
     done = dhcli("help", name)
@@ -96,7 +97,7 @@ def test_a_long_page_goes_to_the_pager(tmp_path: Path, monkeypatch: pytest.Monke
         assert terminal.end() == 0
 
 
-@pytest.mark.parametrize("name", app.COMMANDS)
+@row_by_row("name", app.COMMANDS)
 def test_examples_of_help_fit_a_usual_window(dhcli: Run, name: str) -> None:
     """At 80 columns none of them is folded, so that it can be copied in one go."""
     lines = dhcli(name, "--help").out.split("\n")

@@ -11,6 +11,7 @@ import pytest
 
 from dhcli import jacobian, load_robot, torques
 from tests.cli.running import Run
+from tests.row_by_row import row_by_row
 
 
 def test_the_jacobian_of_the_book_is_shown_with_what_it_is(dhcli: Run) -> None:
@@ -314,7 +315,7 @@ def test_torques_and_rates_come_in_every_format(dhcli: Run, command: str, format
         assert len(done.out) > 10
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("words", "message"),
     [
         ("jacobian scara", "no value for theta1, theta2, d3"),

@@ -34,6 +34,7 @@ from dhcli.kinematics.values import joint_values, numbers, parameter_values
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from tests.nightly import examples
+from tests.row_by_row import row_by_row
 
 DATA = Path(__file__).parents[1] / "data" / "coupled"
 PALLETIZER, SCREW = (load_robot(DATA / f"{name}.yaml") for name in ("palletizer", "screw"))
@@ -87,8 +88,8 @@ def chained(moves: list[Any]) -> Any:  # noqa: ANN401
     return np.linalg.multi_dot([np.eye(4), *moves])
 
 
-@pytest.mark.parametrize("robot", ARMS, ids=IDS)
-@pytest.mark.parametrize("seed", range(5))
+@row_by_row("robot", ARMS)
+@row_by_row("seed", range(5))
 def test_a_pose_is_that_of_the_matrices_written_out(robot: Robot, seed: int) -> None:
     """One at a time, many, and in letters with the numbers put in."""
     q = drawn(robot, seed)

@@ -21,6 +21,7 @@ from dhcli.errors import DhcliError, NotationError
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.robots import load_robot
 from tests.nightly import in_turn, some
+from tests.row_by_row import row_by_row
 
 PLACE = "joints of position (0.5, 0.3, 0)"
 FOLDER = Path(__file__).parents[3] / "exercises" / "inverse"
@@ -39,7 +40,7 @@ def judged(answer: str, ask: str = PLACE, robot: str = "planar-2r") -> Mark:
     return Judge(exercise).check(exercise.parts[0], answer)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "answer",
     [
         "2.4773°, 67.9757°",
@@ -98,7 +99,7 @@ def test_another_unit_of_joint_values_is_told_and_earns_its_share(answer: str, a
     assert mark.remarks[0].startswith(f"right in {unit}; ")
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "answer",
     [
         "(2.4773, 67.9757), (59.4502, -67.9757)",
