@@ -17,7 +17,7 @@ def test_every_row_is_tried_with_what_fixtures_give(number: int, tmp_path: Path)
 
 
 def test_all_rows_that_fail_are_named_with_what_is_wrong() -> None:
-    """Also where nothing was raised that should have been, and what is skipped; the rows behind them are tried as well."""
+    """Also what is skipped, and where nothing was raised that should have been; the rows behind them are tried too."""
     tried = list[str]()
 
     @row_by_row("number, words", [(1, "one"), (2, "two"), (3, "x" * 500), (4, "four"), (5, "five")])

@@ -47,7 +47,7 @@ PIECES = (
 any_text = st.one_of(st.text(max_size=80), st.lists(st.sampled_from(PIECES), max_size=30).map("".join))
 
 
-@examples(6)
+@examples(4)
 @given(any_text, st.sampled_from(READERS), st.sampled_from([OPEN, ROBOT]))
 def test_any_text_gives_a_value_or_an_error_with_a_place(
     text: str, read: Callable[[str, Scope], object], scope: Scope

@@ -21,6 +21,7 @@ from dhcli.kinematics.forward import forward
 from dhcli.kinematics.inverse.asked import inverse
 from dhcli.kinematics.robot import Robot
 from tests.coupled import COUPLED
+from tests.nightly import NIGHT
 from tests.row_by_row import row_by_row
 
 DATA = Path(__file__).parents[2] / "data" / "urdf"
@@ -87,7 +88,7 @@ def drawn_urdf(draw: random.Random, count: int) -> str:
     return "".join([*lines, "</robot>"])
 
 
-@pytest.mark.parametrize("seed", range(25))
+@pytest.mark.parametrize("seed", range(25 if NIGHT else 10))
 def test_a_drawn_chain_moves_as_its_xml_says(seed: int) -> None:
     """To 1e-14 of its size, and as a table to 1e-12."""
     draw = random.Random(seed)  # noqa: S311  the same chains every time
