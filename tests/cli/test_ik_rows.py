@@ -15,6 +15,7 @@ import pytest
 
 from dhcli import forward_batch, inverse_batch, load_robot
 from tests.cli.running import PIPES, Run, start
+from tests.row_by_row import row_by_row
 
 Q = "theta1,theta2,theta3,theta4,theta5,theta6\n0.3,-0.5,0.7,1,0.8,-2\n0.1,0.2,0.3,0.4,0.5,0.6\n"
 NEAR = "0.3,-0.5,0.7,1,0.8,-2"
@@ -88,7 +89,7 @@ def test_poses_out_of_reach_have_no_row_and_are_counted(dhcli: Run) -> None:
     assert {row[0] for row in csv.reader(io.StringIO(done.out))} == {"row", "2"}
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("words", "stdin", "said"),
     [
         (("--each", "all"), None, "name their file with --rows FILE"),
