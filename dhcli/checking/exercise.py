@@ -370,6 +370,11 @@ class Exercise:
         return f"{self.id} --variant {shlex.quote(self.variant)}" if self.variant else self.id
 
     @property
+    def file_name(self) -> str:
+        """What a file about it is called, without its ending."""
+        return self.id.split("/")[-1]
+
+    @property
     def asked(self) -> tuple[Part, ...]:
         """The parts that are asked: those that were not withdrawn."""
         return tuple(part for part in self.parts if not part.withdrawn)

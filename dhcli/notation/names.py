@@ -40,7 +40,7 @@ GREEK = {
 GREEK_NAMES = frozenset(GREEK.values()) | {"vartheta", "varphi", "varepsilon"}
 MOST_SUGGESTIONS = 3
 _VARIANTS = {"vartheta": "theta", "varphi": "phi", "varepsilon": "epsilon"}
-_SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _SPLIT = regex(r"(\D*)(\d*)")
 _TRIG = regex(rf"(?:cos|sin|[cs])(?={'|'.join(sorted(GREEK_NAMES))})")
 _CAPITAL_GREEK = regex(rf"(?=[A-Z])(?:{'|'.join(name.capitalize() for name in sorted(GREEK_NAMES))})\d*$")
@@ -60,7 +60,7 @@ def canonical(name: str) -> str:
     `θ1`, `theta_1`, `\theta_{1}`, `θ₁`, and `Theta1` as a phone begins a line, are `theta1`; `\alpha_{i-1}` is
     `alpha_{i-1}`, `a_{i}` is `a_i`.
     """
-    text = "".join(GREEK.get(letter, letter) for letter in name.translate(_SUBSCRIPTS))
+    text = "".join(GREEK.get(letter, letter) for letter in name.translate(SUBSCRIPTS))
     text = text.replace("\\", "")
     stem, _, subscript = text.partition("_")
     stem = stem[:1].lower() + stem[1:] if _CAPITAL_GREEK.match(stem) else stem

@@ -8,7 +8,7 @@ from typing import Literal
 
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.frozen import frozen
-from dhcli.notation.names import GREEK, GREEK_NAMES, describe, foreign_letter
+from dhcli.notation.names import GREEK, GREEK_NAMES, SUBSCRIPTS, describe, foreign_letter
 from dhcli.notation.styles import SPOKEN_FOR
 from dhcli.regex import regex
 
@@ -35,7 +35,6 @@ _SIGNS = {**_OPERATORS, "**": "^", ".": "*"}
 _SPOKEN = {"minus": "-"}
 _SUPERSCRIPT = regex("(⁻?)([⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
-_LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _NOISE = "─━═┄┈╌┌┬┐├┼┤└┴┘┏┳┓┡╇┩┢┣╋┫┗┻┛╔╦╗╠╬╣╚╩╝╭╮╯╰⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠$"
 """What frames a table or a formula on a screen and means nothing."""
 _GREEK_LETTERS = "".join(GREEK)
@@ -180,7 +179,7 @@ def tokenize(source: Source, *, decimal_comma: bool = False, most: int = MOST_CH
             if word in _SPOKEN:
                 tokens.append(Token("sign", _SPOKEN[word], position, end, spaced))
             else:
-                plain = word if word.isascii() else word.translate(_LOWERED)
+                plain = word if word.isascii() else word.translate(SUBSCRIPTS)
                 tokens.append(Token("word", plain, position, end, spaced))
             position, spaced = end, False
         elif match and kind == "number" and (depth or not decimal_comma):

@@ -12,6 +12,7 @@ import pytest
 from dhcli.checking.judge import Judge
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.files.yaml.exercises import load_exercise
+from tests.row_by_row import row_by_row
 
 ARM, LINK = "yim/planar-two-links", "yim/dh-factors"
 FORMULAS, VALUES, REACH = "inverse/planar-joints", "inverse/planar-joints-in-numbers", "inverse/planar-reach"
@@ -149,7 +150,7 @@ READ = [
 ]
 
 
-@pytest.mark.parametrize(("exercise", "part", "answer", "slip"), READ)
+@row_by_row(("exercise", "part", "answer", "slip"), READ)
 def test_an_answer_is_read_as_it_is_typed(exercise: str, part: str, answer: str, slip: tuple[str, str]) -> None:
     """And with a slip in it it is wrong."""
     mark = told(exercise, part, answer)
@@ -160,7 +161,7 @@ def test_an_answer_is_read_as_it_is_typed(exercise: str, part: str, answer: str,
     assert told(exercise, part, f"{before}{wrong}{behind}").verdict in (Verdict.WRONG, Verdict.CLOSE)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("exercise", "part", "answer", "said"),
     [
         (ARM, "a1", "Rot(z,θ1) Trans(a1,0,0)", "these are moves; what they make was asked, number by number"),

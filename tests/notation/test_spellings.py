@@ -10,6 +10,7 @@ from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.writer import write, write_angle
+from tests.row_by_row import row_by_row
 
 ROBOT = Scope(
     joints=("theta1", "theta2", "theta3"),
@@ -20,7 +21,7 @@ ROBOT = Scope(
 """The names of an exercise: joints, twists, lengths, one of them called c."""
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "read"),
     [
         # numbers
@@ -77,7 +78,7 @@ def test_a_spelling_is_read_as_it_is_meant(text: str, read: str) -> None:
     assert write(parse(text, ROBOT)) == read
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "read"),
     [
         ("c12", "c12"), ("cα_i", "cos(alpha_i)"), ("a1c1", "a1*c1"), ("c5", "c5"), ("l_1 c_1", "l1*c1"),
@@ -92,7 +93,7 @@ def test_without_a_robot_names_stand_for_themselves(text: str, read: str) -> Non
     assert write(parse(text)) == read
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "angle"),
     [
         ("-90°", "-90°"), ("90 deg", "90°"), ("90º", "90°"), ("90^\\circ", "90°"), ("90^{\\circ}", "90°"),
@@ -108,7 +109,7 @@ def test_an_angle_is_read_exactly(text: str, angle: str) -> None:
     assert write_angle(to_angle(parse(text), bare="refuse")) == angle
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "metres"),
     [
         ("432 mm", "0.432"), ("432mm", "0.432"), ("43.18cm", "0.4318"), ("0.4 m", "0.4"), ("0.4m", "0.4"),

@@ -195,7 +195,6 @@ def _vector(exercise: Exercise, robot: Robot, joints: Sequence[str], row: Sequen
     values, shown, bare = list[float](), list[str](), list[bool]()
     known = exercise.known
     over = Floats(numbers(known))
-    angles = {name: value for name, value in known.items() if isinstance(value, Angle)}
     for name, expr in zip(joints, row, strict=True):
         turns = name in robot.angles
         number, unit = without_unit(expr, 1.0 if turns else float(exercise.metres))
@@ -208,7 +207,7 @@ def _vector(exercise: Exercise, robot: Robot, joints: Sequence[str], row: Sequen
         if missing := sorted(inside - known.keys()):
             raise UnreadableError(f"{name}: a number was asked, and {missing[0]} has no value")
         bare.append(not inside and not (has_angle_unit(expr) if turns else has_length_unit(expr)))
-        values.append(value.substitute(angles).constant() if isinstance(value, Angle) else over.value(value) * unit)
+        values.append(value.substitute(known).constant() if isinstance(value, Angle) else over.value(value) * unit)
         if not math.isfinite(values[-1]):
             raise UnreadableError(f"{name} is no real number")
         shown.append(spelled(exercise, robot, name, values[-1]))
