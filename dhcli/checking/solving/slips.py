@@ -90,6 +90,10 @@ def _showing(question: WantedJoints, case: Case) -> Iterator[Wrong]:
 
 
 def _is_wrong(question: WantedJoints, case: Case, rows: Sequence[Joints]) -> bool:
+    if question.which != "all":  # what misses the pose is judged by that alone
+        verdict = question.range_of(case).verdict(rows[0], case.tolerance)
+        if verdict is not Verdict.RIGHT:
+            return verdict is Verdict.WRONG
     typed = tuple(Vector(tuple(row), (False,) * len(row), shown="") for row in rows)
     return question.mark(case, Reading("", typed)).verdict is Verdict.WRONG
 
