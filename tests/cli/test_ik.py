@@ -237,7 +237,7 @@ def test_a_derivation_has_these_keys_in_json(dhcli: Run) -> None:
         "only_where",
         "steps",
     }
-    keys = {"rule", "unknown", "equations", "value", "plus_minus", "or_half_a_turn_more", "condition"}
+    keys = {"rule", "unknown", "equations", "value", "plus_minus", "or_half_a_turn_more", "condition", "instead"}
     assert all(set(step) == keys for step in data["steps"])
     assert [step["unknown"] for step in data["steps"]][:4] == ["theta1", "theta3", "theta2 + theta3", "theta2"]
 

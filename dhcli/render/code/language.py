@@ -73,12 +73,14 @@ class Language:
         argument: One argument.
         preset: One with a value that it has by default; the same where a language has none.
         let: A name and its value.
+        choose: A name, a condition, its value where it holds, and its value elsewhere.
         end: What closes a function or a loop; nothing where indentation does.
         returned: The lines that give a matrix back: what gives its shape, its name, its cells.
         entry: An entry of a matrix that is given: its name, row and column.
         base: Number of the first row.
         signs: A loop over 1 and -1.
         turns: A loop over 0 and π.
+        quarters: A loop over the four right angles.
         skip: Leaves a round, or the function, if a condition holds: the condition, and the word for it.
         begin: Makes an empty list of solutions.
         append: Adds a row to it.
@@ -93,12 +95,14 @@ class Language:
     argument: str
     preset: str
     let: str
+    choose: str
     end: str
     returned: Callable[[Sequence[str], str, Cells], list[str]]
     entry: str
     base: int
     signs: str
     turns: str
+    quarters: str
     skip: str
     begin: str
     append: str
@@ -186,6 +190,10 @@ class Spelling:
     def let(self, name: str, value: str) -> str:
         """A line that gives a name its value."""
         return self.language.let.format(self.names[name], value)
+
+    def choose(self, name: str, condition: str, value: str, other: str) -> str:
+        """A line that gives a name one value or another."""
+        return self.language.choose.format(self.names[name], condition, value, other)
 
 
 def decimal(value: float) -> str:

@@ -92,6 +92,7 @@ def derivation_content(result: Derivation, _look: Look) -> dict[str, Any]:
                 "plus_minus": plain(step.spread),
                 "or_half_a_turn_more": step.two == "opposite",
                 "condition": plain(step.condition),
+                "instead": None if step.instead is None else plain(step.instead.value),
             }
             for step in result.steps
         ],
