@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import keyword
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 
 from dhcli.frozen import frozen
@@ -16,6 +16,7 @@ from dhcli.safe import comment, docstring
 
 Cells = Sequence[Sequence[str]]
 
+_WORD = regex(r"\w+")
 _FOREIGN = regex(r"[^A-Za-z0-9_]")
 TAKEN = frozenset(
     (
@@ -85,6 +86,7 @@ class Language:
         begin: Makes an empty list of solutions.
         append: Adds a row to it.
         finish: Gives it back.
+        unused: Says of an argument that it is not needed, where compilers ask.
     """
 
     name: str
@@ -107,6 +109,7 @@ class Language:
     begin: str
     append: str
     finish: str
+    unused: str = ""
 
     def spelling(self, names: Iterable[str]) -> Spelling:
         """A spelling for names, each an own one that the language accepts."""
@@ -142,11 +145,19 @@ class Language:
             said.append(words)
         if self.name == "matlab":
             body = [*_presets(len(arguments) - len(values), values, names), *body]
+        body = [*self._spare([*heading.joints, *heading.lengths], spelling, body), *body]
         inside = docstring(*said).split("\n") if self.mark == "#" and self.name != "julia" else []
         above = [] if inside else [comment(line, self.mark).rstrip("\n") for line in said]
         lines = [f"    {line}" if line else "" for line in (*inside, *body)]
         end = [self.end] if self.end else []
         return "\n".join([*self.first, *above, *first.split("\n"), *lines, *end]) + "\n"
+
+    def _spare(self, given: Iterable[str], spelling: Spelling, body: Sequence[str]) -> Iterator[str]:
+        """Lines for what is given and does not stand in the body."""
+        used = {word for line in body for word in _WORD.findall(line)} if self.unused else set[str]()
+        for name in given if self.unused else ():
+            if spelling.names[name] not in used:
+                yield self.unused.format(spelling.names[name])
 
 
 @frozen

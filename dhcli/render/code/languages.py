@@ -104,6 +104,7 @@ _C = Language(
     begin="int found = 0;",
     append="",
     finish="return found;",
+    unused="(void){};",
 )
 
 _MATLAB = Language(
@@ -167,6 +168,7 @@ _JAVASCRIPT = replace(
     begin="const solutions = [];",
     append="solutions.push([{}]);",
     finish="return solutions;",
+    unused="",
 )
 
 LANGUAGES: Mapping[str, Language] = {
