@@ -17,6 +17,8 @@ def main() -> int:
         return run()
     except KeyboardInterrupt:  # so early that nothing is there yet to say it
         return 130
+    finally:
+        gc.freeze()  # all goes with the process: Python, when it ends, need not look through it for garbage, twice
 
 
 if __name__ == "__main__":

@@ -249,8 +249,9 @@ def check(exercise: Exercise, part: str, answer: str) -> Mark:
 
 
 def _credited(case: Case, mark: Mark) -> Mark:
-    """A mark with what it earns by the rules of the exercise."""
-    return replace(mark, earned=earned(case.shares, case.part.question, mark, numeric=case.exercise.numeric))
+    """A mark with what it earns by the rules of the exercise; one that is too short earns by what is right in it."""
+    share = earned(case.shares, case.part.question, mark, numeric=case.exercise.numeric)
+    return replace(mark, earned=share).with_digits_told()
 
 
 def _refuse_lone_unit(case: Case, text: str) -> None:

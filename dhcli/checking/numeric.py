@@ -246,7 +246,7 @@ def _remarks(
     unsharp = any(not is_length(question, cell.row, cell.column) for cell in wrong)
     said = ("the axes point the right way, but their direction cosines need more digits",) if unsharp else ()
     displaced = [cell.row for cell in wrong if is_length(question, cell.row, cell.column)]
-    offsets = [(k, exercise.distance(typed[k][3] - right[k][3])) for k in displaced]
+    offsets = [(k, exercise.about(typed[k][3] - right[k][3])) for k in displaced]
     off = ", ".join(f"{offset} along {'xyz'[k]}" for k, offset in offsets if offset.split()[0] != "0")
     if not off:
         return said

@@ -12,7 +12,7 @@ from dhcli.checking.other_unit import RADIANS, WrongUnitError, is_clear, refuse_
 from dhcli.checking.pasted import UnreadableError, without_label
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance, is_rounding_of, judge, without_unit
 from dhcli.checking.units import is_measure, length_in_metres
-from dhcli.checking.verdicts import AGREEING, UNSOLVED, CellMark, Mark, Verdict
+from dhcli.checking.verdicts import AGREEING, TOO_FEW, UNSOLVED, CellMark, Mark, Verdict
 from dhcli.errors import Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Value
@@ -100,6 +100,8 @@ def mark_value(exercise: Exercise, right: Quantity, answer: TypedValue, toleranc
     remarks: tuple[str, ...] = ()
     if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(typed, right, exercise):
         verdict, remarks = Verdict.ROUNDED, (NOT_EXACT,)
+    if verdict in UNSOLVED and exercise.numeric and _agrees_to_digits(exercise, right, answer):
+        remarks = (TOO_FEW,)
     note = _note(typed, right, exercise) if verdict is Verdict.WRONG else ""
     earned = float(verdict in AGREEING)
     return Mark(verdict, reading, (CellMark(0, 0, verdict, reading, shown, note),), remarks, earned, shown)
@@ -218,6 +220,16 @@ def _verdict(
         if is_rounding_of(number, truth / unit):
             return Verdict.ROUNDED
     return verdict
+
+
+def _agrees_to_digits(exercise: Exercise, right: Quantity, answer: TypedValue) -> bool:
+    """Whether a length or a number is the right one to the digits typed, however few."""
+    from dhcli.checking.symbolic import put
+
+    if isinstance(right.value, Angle) or right.is_angle or symbols(value := put(right.value, exercise.values)):
+        return False
+    number, unit = without_unit(answer.expr, float(exercise.metres) if right.is_length else 1.0)
+    return is_rounding_of(number, Floats(numbers(exercise.values)).value(value) / unit, least=0)
 
 
 def _limit(truth: float, tolerance: Tolerance) -> float:

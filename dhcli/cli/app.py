@@ -129,8 +129,10 @@ class Commands(Group):
     def format_help(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write the help, which names every command without its options."""
         self.is_listing = True
-        super().format_help(ctx, formatter)
-        self.is_listing = False
+        try:
+            super().format_help(ctx, formatter)
+        finally:
+            self.is_listing = False
 
 
 def _listed(name: str) -> Command:

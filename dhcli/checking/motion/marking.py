@@ -13,7 +13,7 @@ from dhcli.checking.motion.reading import as_read
 from dhcli.checking.other_unit import InUnit, is_clear, judged_in, plainly_in
 from dhcli.checking.symbolic import about_equal, counterexample, has_decimals, same
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals, without_unit
-from dhcli.checking.verdicts import AGREEING, CellMark, Mark, Verdict, worst
+from dhcli.checking.verdicts import AGREEING, TOO_FEW, UNSOLVED, CellMark, Mark, Verdict, worst
 from dhcli.notation.writer import write
 
 
@@ -29,7 +29,8 @@ def mark_grid(case: Case, right: Grid, entries: Entries) -> Mark:
     mark = _marked(exercise, entries, mark_numbers(case, exercise, right, entries))
     other = None if mark.verdict in AGREEING else in_other_unit(case, right, entries, mark.cells)
     if other is None:
-        return mark
+        is_short = mark.verdict in UNSOLVED and _agrees_to_digits(exercise, right, entries, mark.cells)
+        return replace(mark, remarks=(TOO_FEW,)) if is_short else mark
     power = {power for row in right.powers for power in row if power}
     return judged_in(other, mark, exercise.unit, {2: "²", 3: "³"}.get(power.pop(), "") if len(power) == 1 else "")
 
@@ -73,6 +74,17 @@ def in_other_unit(case: Case, right: Grid, entries: Entries, own: Sequence[CellM
         for value, limit, power in zip(*row, strict=True)
     ]
     return plainly_in(map(read, exercise.other_units), own, lengths)
+
+
+def _agrees_to_digits(exercise: Exercise, right: Grid, entries: Entries, cells: Sequence[CellMark]) -> bool:
+    """Whether every entry that is not right is the right one to the digits typed, however few."""
+    truth = right.numbers(exercise)
+
+    def agrees(r: int, c: int) -> bool:
+        number, unit = without_unit(entries[r][c].typed, scale_of(exercise, right.powers[r][c]))
+        return is_rounding_of(number, truth[r][c] / unit, least=0)
+
+    return all(cell.verdict in AGREEING or (cell.counted and agrees(cell.row, cell.column)) for cell in cells)
 
 
 def _in_rows(cells: Sequence[str], width: int) -> str:

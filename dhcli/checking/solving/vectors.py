@@ -146,7 +146,7 @@ class Range:
                 place = ", ".join(f"{round(row[3] / float(self.exercise.metres), 4) + 0.0:g}" for row in there[:3])
                 said.append(
                     f"these joint values lead to ({place}){self.exercise.behind}, "
-                    f"{self.exercise.distance(far)} away from the place asked for"
+                    f"{self.exercise.about(far)} away from the place asked for"
                 )
         if self.target.task in ("pose", "orientation"):
             typed, right = ([row[:3] for row in rows[:3]] for rows in (there, self.rows))

@@ -10,7 +10,7 @@ import typer
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.options import AnyName, Untried, Variant, complete_pose
 from dhcli.cli.shell.spreading import But
-from dhcli.cli.shell.written import Overwrite, file_to_write
+from dhcli.cli.shell.written import Overwrite, output_option
 from dhcli.errors import DhcliError
 from dhcli.frozen import frozen
 
@@ -120,17 +120,7 @@ class OfExercise:
 class Sheet:
     """Where a picture goes, as it was typed."""
 
-    output: Annotated[
-        str | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="FILE",
-            callback=file_to_write,
-            help="Write a file: .svg .tex .png .pdf .html, or .txt for letters.",
-            rich_help_panel="Output",
-        ),
-    ] = None
+    output: Annotated[str | None, output_option("Write a file: .svg .tex .png .pdf .html, or .txt for letters.")] = None
     open_: Annotated[
         bool, typer.Option("--open", help="Open it in the browser; without -o as a page.", rich_help_panel="Output")
     ] = False

@@ -11,7 +11,7 @@ import typer
 from dhcli.cli.app import Group, One
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.spreading import But, spread
-from dhcli.cli.shell.written import Overwrite, file_to_write
+from dhcli.cli.shell.written import Overwrite, output_option
 
 _OF_URDF = But(without=("robot", "q", "deg", "pose", "set_", "motors", "from_", "to", "tool"))
 """Of the options about a robot those that choose a chain of a URDF."""
@@ -60,16 +60,7 @@ def robot(
         str | None, typer.Option(metavar="UNIT", help="Unit of the bare lengths in FILE: m, mm, cm or in.")
     ] = None,
     chain: Annotated[Chosen, _OF_URDF],
-    output: Annotated[
-        str | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="FILE",
-            callback=file_to_write,
-            help="Where to write; ./robots/NAME.yaml by default, - is stdout.",
-        ),
-    ] = None,
+    output: Annotated[str | None, output_option("Where to write; ./robots/NAME.yaml by default, - is stdout.")] = None,
     overwrite: Overwrite = False,
 ) -> None:
     """Write a commented robot file that loads, for you to change, or one that is made of another description."""
@@ -104,14 +95,7 @@ def exercise(
     name: Annotated[str, typer.Argument(metavar="COURSE/NAME", help="Id of the exercise.")],
     robot_name: Annotated[str, typer.Option("--robot", metavar="ROBOT", help="The robot it asks about.")],
     output: Annotated[
-        str | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="FILE",
-            callback=file_to_write,
-            help="Where to write; ./exercises/COURSE/NAME.yaml by default, - is stdout.",
-        ),
+        str | None, output_option("Where to write; ./exercises/COURSE/NAME.yaml by default, - is stdout.")
     ] = None,
     overwrite: Overwrite = False,
 ) -> None:
@@ -137,14 +121,7 @@ def linkage(
     name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the linkage.")],
     form: Annotated[str, typer.Option(metavar="FORM", help="joints, bars, chain or loop.")] = "joints",
     output: Annotated[
-        str | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="FILE",
-            callback=file_to_write,
-            help="Where to write; ./robots/linkages/NAME.yaml by default, - is stdout.",
-        ),
+        str | None, output_option("Where to write; ./robots/linkages/NAME.yaml by default, - is stdout.")
     ] = None,
     overwrite: Overwrite = False,
 ) -> None:

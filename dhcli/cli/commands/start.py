@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from dhcli.cli.shell.options import ExerciseName, Variant
-from dhcli.cli.shell.written import file_to_write
+from dhcli.cli.shell.written import Overwrite, output_option
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -33,16 +33,9 @@ def start(
         ),
     ] = None,
     output: Annotated[
-        str | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="FILE",
-            callback=file_to_write,
-            help="Where to write it; - is stdout. With --class the folder of the sheets.",
-        ),
+        str | None, output_option("Where to write it; - is stdout. With --class the folder of the sheets.")
     ] = None,
-    overwrite: Annotated[bool, typer.Option("--overwrite", help="Overwrite the file.")] = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Write an answer sheet for an exercise, or one for each student of a class."""
     from dhcli.checking.figures import subject

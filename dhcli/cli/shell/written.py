@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 import typer
@@ -42,16 +43,15 @@ def file_to_write(path: str | None) -> str | None:
     raise FileError(Problem(EMPTY, Place("-o"), "name a file"))
 
 
-def output_option(*suffixes: str) -> Any:  # noqa: ANN401  the same
-    """`-o` for the files that a command writes."""
-    return typer.Option(
-        "-o",
-        "--output",
-        metavar="FILE",
-        callback=lambda path: None if path == "-" else file_to_write(path),  # standard output, as - is standard input
-        help=f"Write to a file; {' '.join(suffixes)} choose the format.",
-        rich_help_panel=_PANEL,
-    )
+def output_option(told: str, callback: Callable[[str | None], str | None] = file_to_write) -> Any:  # noqa: ANN401
+    """`-o` for what a command writes, and what the help tells of it."""
+    return typer.Option("-o", "--output", metavar="FILE", callback=callback, help=told, rich_help_panel=_PANEL)
+
+
+def result_option(*suffixes: str) -> Any:  # noqa: ANN401  the same
+    """`-o` for the files that a result is written to; - is standard output, where it goes by itself."""
+    told = f"Write to a file; {' '.join(suffixes)} choose the format."
+    return output_option(told, lambda path: None if path == "-" else file_to_write(path))
 
 
 Overwrite: TypeAlias = Annotated[bool, typer.Option("--overwrite", help="Overwrite the file.", rich_help_panel=_PANEL)]
@@ -107,7 +107,7 @@ class Written:
         ),
     ] = None
     digits: Digits = None
-    output: Annotated[str | None, output_option(".json", ".tex", ".m", ".py", ".csv", ".txt")] = None
+    output: Annotated[str | None, result_option(".json", ".tex", ".m", ".py", ".csv", ".txt")] = None
     overwrite: Overwrite = False
 
     @property
@@ -159,6 +159,6 @@ def in_formats(formats: tuple[str, ...], suffixes: tuple[str, ...], *others: str
     """
     own = {
         "format": Annotated[str | None, format_option(*formats)],
-        "output": Annotated[str | None, output_option(*suffixes)],
+        "output": Annotated[str | None, result_option(*suffixes)],
     }
     return But(without=tuple(name for name in (*_CODE, "style", "digits") if name not in others), instead=own)

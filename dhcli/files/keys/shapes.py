@@ -108,6 +108,8 @@ ANGLE = Scalar(is_angle=True)
 TEXTS = Many(TEXT)
 PAIR = Many(TEXT, 2, 2)
 COORDINATES = Many(TEXT, 2, 3)
+MOVES = Either((TEXT, Many(TEXTS, 3, 4)))
+"""A product of moves; a matrix alone may be a list of its rows."""
 
 HEAD = (
     Key("title", "what it is called", TEXT, is_required=True),

@@ -110,7 +110,7 @@ class Coordinates:
     def _coordinates(self, node: PlacedNode, key: str) -> Vector:
         example = "[x, y]" if self.dimensions < len(_AXES) else "[x, y, z]"
         is_round = isinstance(node, PlacedScalar) and node.text.startswith("(")
-        items = self.problems.sequence(node, key, "" if is_round else example)
+        items = self.problems.sequence(node, key, "" if is_round else example, count=self.dimensions)
         if items and not self.dimensions <= len(items) <= len(_AXES):
             wanted = "two coordinates" if self.dimensions < len(_AXES) else "three coordinates"
             hint = "write [x, y]" if self.dimensions < len(_AXES) else "write [x, y, z]"
