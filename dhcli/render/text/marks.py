@@ -186,7 +186,8 @@ def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
 def _partial_credit(one: PartMark) -> str:
     """The credit of a part that is not solved and earned some all the same; so the sum below can be followed."""
     share, credit = one.mark.earned, one.part.credit
-    if one.mark.verdict.passed is True or not share or not credit:
+    is_told = share or one.mark.verdict is Verdict.ROUNDED  # which earns all, as a rule
+    if one.mark.verdict.passed is True or not is_told or not credit:
         return ""
     if share == 1:
         kept = "credit kept" if one.mark.diagnosis and one.mark.diagnosis.follows else "full credit"
