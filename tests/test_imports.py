@@ -44,7 +44,7 @@ MAY = {
     "fk scara --q 0.3,0.5,0.1 --format json": f"{TEXT} csv json render.code render.json",
     "fk puma560 --pose ready": TEXT,
     "fk puma560 --symbolic": TEXT,
-    "fk puma560 --in q.csv": f"{TEXT} numpy csv json files.rows render.code",
+    "fk puma560 --rows q.csv": f"{TEXT} numpy csv json files.rows render.code",
     "sweep puma560 --over q1": f"{TEXT} numpy csv kinematics.sweep render.code",
     "jacobian puma560 --symbolic": f"{TEXT} kinematics.velocity",
     "singularities puma560": f"{TEXT} kinematics.singular kinematics.velocity",
@@ -61,7 +61,7 @@ MAY = {
     "list": f"{LISTED} checking checking.diagnosis",
     "list linkages": LISTED,
     "dof 6R": COUNTED,
-    "dof --planar --links 4 --joints 4R": COUNTED,
+    "dof --planar --links 4 --joints 4R": f"{BASE} mobility render.text",
     "dof bennett": f"{COUNTED} yaml numpy random",
     "check planar-two-links --part d02 --answer a1*c1+a2*c12,a1*s1+a2*s12,0": CHECK,
     "check puma560 --symbolic --from 5 --answer [c6,-s6,0,0;0,0,1,0;-s6,-c6,0,0;0,0,0,1]": CHECK,
@@ -121,7 +121,8 @@ def test_a_command_imports_what_it_may(tmp_path: Path, monkeypatch: pytest.Monke
 
     assert MAY.keys() > {*startup.COMMANDS}
     startup.furnish(tmp_path)
-    reports = imports_of(["list", *MAY, "fk scara --in q.csv"], tmp_path)[1:]  # the first list reads the whole library
+    # the first list reads the whole library
+    reports = imports_of(["list", *MAY, "fk scara --rows q.csv"], tmp_path)[1:]
     by_line = dict(zip(MAY, reports, strict=False))
     assert {line: report["said"] for line, report in by_line.items() if report["code"] != CODES.get(line, 0)} == {}
     assert {line: report["left"] for line, report in by_line.items() if report["left"] > 1000} == {}
