@@ -133,6 +133,8 @@ def _verdict_in_unit(
             shown = spelled_value(right, exercise)
             wanted = f"a bare angle is in degrees: write {shown} or {answer.text} rad"
             raise WrongUnitError(RADIANS, exercise.unit, wanted=wanted)
+        if exercise.numeric and verdict in UNSOLVED and _is_rounded_in_radians(exercise, right, answer):
+            raise WrongUnitError(RADIANS, exercise.unit, ", to the digits typed")
 
     def is_right(unit: str) -> bool:
         there = replace(exercise, unit=unit)
@@ -142,6 +144,13 @@ def _verdict_in_unit(
     if right.is_length and verdict in UNSOLVED and _shows_unit(right, exercise, tolerance):
         refuse_right_in(exercise.other_units, exercise.unit, is_right)
     return verdict
+
+
+def _is_rounded_in_radians(exercise: Exercise, right: Quantity, answer: TypedValue) -> bool:
+    """Whether a bare number is an exact angle in radians, rounded to its digits."""
+    if not isinstance(right.value, Angle) or (angle := right.value.substitute(exercise.given)).terms:
+        return False
+    return is_rounding_of(answer.expr, angle.constant())
 
 
 def spelled_value(right: Quantity, exercise: Exercise) -> str:
