@@ -51,6 +51,16 @@ class Angle(Hashed):
     degrees: Fraction = ZERO
     radians: Fraction = ZERO
 
+    def __eq__(self, other: object) -> bool:
+        """Cheaper than comparing fractions: most have the same ones."""
+        if type(other) is not Angle:
+            return NotImplemented
+        return (
+            self.terms == other.terms
+            and (self.degrees is other.degrees or self.degrees == other.degrees)
+            and (self.radians is other.radians or self.radians == other.radians)
+        )
+
     def __hash__(self) -> int:
         """Cheaper than hashing fractions, which costs a power modulo a prime each."""
         try:
