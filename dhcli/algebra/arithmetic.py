@@ -89,8 +89,8 @@ def evaluate(expr: Expr, over: Evaluator[N]) -> N | int:
             total = plus(total, part)
         return total
     if type(expr) is Number:
-        value = expr.value  # asked of two integers: to compare a fraction takes ten times as long
-        return value.numerator if value.denominator == 1 and -1 <= value.numerator <= 1 else over.number(value)
+        upper, lower = expr.value.as_integer_ratio()  # to compare a fraction takes ten times as long
+        return upper if lower == 1 and -1 <= upper <= 1 else over.number(expr.value)
     match expr:
         case Power(base, exponent):
             return over.power(evaluate_settled(base, over), exponent)
