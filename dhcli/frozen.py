@@ -42,41 +42,29 @@ def frozen(cls: type[T]) -> type[T]:
     One with a `cached_property` has a place to keep what it found. A `__repr__` that the class or a base of it writes
     stays, and its own `__eq__` and `__hash__`. Nothing is inherited between `frozen` and `dataclass`.
     """
-    made, found = _slotted(cls)
-    written: dict[str, object] = {"__init__": _init(made, found), "__setattr__": _setattr, "__delattr__": _delattr}
-    written |= {"__getstate__": _getstate, "__setstate__": _setstate, "__signature__": _SIGNATURE}
-    written |= {"__replace__": replace, "__match_args__": tuple(each.name for each in found if each.init)}
-    if made.__repr__ is object.__repr__:
-        written["__repr__"] = _repr
-    if "__eq__" not in cls.__dict__:
-        key = _values_of([each.name for each in found if each.compare])
-        hashed = [each.name for each in found if (each.compare if each.hash is None else each.hash)]
-        written["__eq__"] = _eq(key)
-        if "__hash__" not in cls.__dict__:
-            written["__hash__"] = _hash(_values_of(hashed))
-    for name, function in written.items():
-        setattr(made, name, function)
-    return made
-
-
-def _slotted(cls: type[T]) -> tuple[type[T], Sequence[Field[Any]]]:
-    """The class with a slot for each field, as only a new class can have them, and the fields."""
-    kinds = {name: kind for name, kind in cls.__annotations__.items() if "ClassVar" not in str(kind)}
-    own = {name: _field(cls, name, kind) for name, kind in kinds.items()}
+    own = {name: _field(cls, name, kind) for name, kind in cls.__annotations__.items() if "ClassVar" not in str(kind)}
     found: dict[str, Field[Any]] = {}
     for base in cls.__mro__[:0:-1]:
         found |= base.__dict__.get("__dataclass_fields__", {})
-    replaced = {*own, "__dict__", "__weakref__"}
-    body = {name: value for name, value in cls.__dict__.items() if name not in replaced}
     slots = [name for name in own if name not in found]
-    is_keeping = any(isinstance(value, cached_property) for value in body.values())
-    if is_keeping and not cast("type", cls.__base__).__dictoffset__:
-        slots.append("__dict__")
     found |= own
+    # Only a new class can have slots; what is in it from the beginning costs less than what is put there later.
+    replaced = {*own, "__dict__", "__weakref__"}
+    body = {name: value for name, value in cls.__dict__.items() if name not in replaced} | _BODY
+    if any(isinstance(value, cached_property) for value in body.values()):
+        slots += () if cast("type", cls.__base__).__dictoffset__ else ("__dict__",)
     body |= {"__qualname__": cls.__qualname__, "__slots__": tuple(slots), "__dataclass_fields__": found}
-    body["__dataclass_params__"] = _PARAMS
-    make = cast("Callable[..., type[T]]", type(cls))
-    return make(cls.__name__, cls.__bases__, body), tuple(found.values())
+    body["__match_args__"] = tuple(each.name for each in found.values() if each.init)
+    if cls.__repr__ is object.__repr__:
+        body["__repr__"] = _repr
+    if "__eq__" not in cls.__dict__:
+        body["__eq__"] = _eq(_values_of([each.name for each in found.values() if each.compare]))
+        if "__hash__" not in cls.__dict__:
+            hashed = [each.name for each in found.values() if (each.compare if each.hash is None else each.hash)]
+            body["__hash__"] = _hash(_values_of(hashed))
+    made: type[T] = cast("Any", type(cls))(cls.__name__, cls.__bases__, body)
+    made.__init__ = _init(made, tuple(found.values()))  # type: ignore[method-assign]  # it puts values into the slots
+    return made
 
 
 def _field(cls: type, name: str, kind: object) -> Field[Any]:
@@ -296,13 +284,13 @@ def _delattr(_self: object, name: str) -> None:
     raise FrozenInstanceError(f"cannot delete field {name!r}")
 
 
-def _getstate(self: object) -> list[object]:
-    return [getattr(self, each.name) for each in _fields(self)]
+def _getstate(self: Any) -> list[object]:  # noqa: ANN401  one of whatever class is made here
+    return [getattr(self, name) for name in self.__dataclass_fields__]
 
 
-def _setstate(self: object, state: Iterable[object]) -> None:
-    for each, value in zip(_fields(self), state, strict=True):
-        object.__setattr__(self, each.name, value)
+def _setstate(self: Any, state: Iterable[object]) -> None:  # noqa: ANN401  the same
+    for name, value in zip(self.__dataclass_fields__, state, strict=True):
+        object.__setattr__(self, name, value)
 
 
 class _Signature:
@@ -327,4 +315,13 @@ class _Signature:
         )
 
 
-_SIGNATURE = _Signature()
+_BODY: dict[str, object] = {
+    "__dataclass_params__": _PARAMS,
+    "__setattr__": _setattr,
+    "__delattr__": _delattr,
+    "__getstate__": _getstate,
+    "__setstate__": _setstate,
+    "__signature__": _Signature(),
+    "__replace__": replace,
+}
+"""What every class has that is made here."""

@@ -1,4 +1,4 @@
-"""The record of a mistake, whatever it is made in: the work for a matrix, the columns of a Jacobian, a single value."""
+"""The record of a mistake, whatever it is made in: the work for a matrix, a Jacobian's columns, a value, a frame."""
 
 from __future__ import annotations
 
@@ -38,16 +38,16 @@ class Mistake(Generic[M]):
     of_values: bool = False
     alone: bool = False
 
-    def slip(self, where: str) -> Slip:
-        """The mistake in its place."""
-        return _slip(self.id, self.words, self.hint, self.rank, where)
+    def slip(self, where: str, **others: int) -> Slip:
+        """The mistake in its place; the others are what its words say besides."""
+        return _slip(self.id, self.words, self.hint, self.rank, where, **others)
 
 
 @lru_cache(4096)
-def _slip(name: str, words: str, hint: str, rank: Rank, where: str) -> Slip:
+def _slip(name: str, words: str, hint: str, rank: Rank, where: str, **others: int) -> Slip:
     """Made once: of two mistakes at once, each is made with each."""
     entry, _, term = where.partition(" ")
-    place = {"where": where, "row": entry.split(",")[0].split(".")[0], "entry": entry, "term": term}
+    place = {"where": where, "row": entry.split(",")[0].split(".")[0], "entry": entry, "term": term, **others}
     return Slip(f"{name} {where}".strip(), words.format(**place), hint.format(**place), rank)
 
 
