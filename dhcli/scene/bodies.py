@@ -7,11 +7,11 @@ from dataclasses import field
 from typing import Protocol
 
 from dhcli.frozen import frozen
-from dhcli.geometry.vectors import Vector, cross, dot, scaled
+from dhcli.geometry.vectors import Vector, cross, dot, length, minus, plus, scaled
 from dhcli.scene.camera import Camera
 from dhcli.scene.primitives import Ball, Drum, Face, Scene, Solid
 from dhcli.scene.shapes import Shape, hull, ring
-from dhcli.scene.vectors import add, along, centroid, norm, sub, unit
+from dhcli.scene.vectors import centroid, unit
 
 RIM = 32
 """Corners of the rim of a drum."""
@@ -50,9 +50,9 @@ class Cylinder:
 
     def span(self, point: Vector, towards: Vector) -> tuple[float, float] | None:
         """Where a line goes through; see Body."""
-        rel = sub(point, self.centre)
+        rel = minus(point, self.centre)
         height, climb = dot(rel, self.axis), dot(towards, self.axis)
-        p, d = sub(rel, scaled(self.axis, height)), sub(towards, scaled(self.axis, climb))
+        p, d = minus(rel, scaled(self.axis, height)), minus(towards, scaled(self.axis, climb))
         a, b, c = dot(d, d), dot(p, d), dot(p, p) - self.radius * self.radius * INSIDE
         low, high = -math.inf, math.inf
         if a > SKIN:
@@ -66,17 +66,17 @@ class Cylinder:
 
     def rim(self, end: float) -> tuple[Vector, ...]:
         """The circle at one end."""
-        middle = along(self.centre, self.axis, end * self.half)
+        middle = plus(self.centre, self.axis, end * self.half)
         u, v = self.across
         turns = [2 * math.pi * i / RIM for i in range(RIM)]
-        return tuple(along(along(middle, u, self.radius * math.cos(t)), v, self.radius * math.sin(t)) for t in turns)
+        return tuple(plus(plus(middle, u, self.radius * math.cos(t)), v, self.radius * math.sin(t)) for t in turns)
 
     def samples(self) -> tuple[Vector, ...]:
         """Points of both rims, and of the middle."""
         return (
             *self.rim(1)[::4],
             *self.rim(-1)[::4],
-            *(add(p, scaled(self.axis, -self.half)) for p in self.rim(1)[::4]),
+            *(plus(p, scaled(self.axis, -self.half)) for p in self.rim(1)[::4]),
         )
 
     def shapes(self, camera: Camera) -> list[Shape]:
@@ -107,7 +107,7 @@ class Block:
 
     def span(self, point: Vector, towards: Vector) -> tuple[float, float] | None:
         """Where a line goes through; see Body."""
-        rel = sub(point, self.centre)
+        rel = minus(point, self.centre)
         low, high = -math.inf, math.inf
         for axis, half in zip(self.axes, self.halves, strict=True):
             cut = _between(low, high, dot(rel, axis), dot(towards, axis), half * INSIDE)
@@ -120,14 +120,14 @@ class Block:
         """One of the eight corners."""
         point = self.centre
         for sign, axis, half in zip(signs, self.axes, self.halves, strict=True):
-            point = along(point, axis, sign * half)
+            point = plus(point, axis, sign * half)
         return point
 
     def samples(self) -> tuple[Vector, ...]:
         """The corners, and the middles of the faces."""
         corners = [self.corner(i, j, k) for i in (-1, 1) for j in (-1, 1) for k in (-1, 1)]
         faces = [
-            along(self.centre, axis, sign * half)
+            plus(self.centre, axis, sign * half)
             for axis, half in zip(self.axes, self.halves, strict=True)
             for sign in (-1, 1)
         ]
@@ -161,7 +161,7 @@ class Sphere:
 
     def span(self, point: Vector, towards: Vector) -> tuple[float, float] | None:
         """Where a line goes through; see Body."""
-        rel = sub(point, self.centre)
+        rel = minus(point, self.centre)
         b, c = dot(rel, towards), dot(rel, rel) - self.radius * self.radius * INSIDE
         root = b * b - c
         return (-b - math.sqrt(root), -b + math.sqrt(root)) if root > 0 else None
@@ -169,7 +169,9 @@ class Sphere:
     def samples(self) -> tuple[Vector, ...]:
         """Six points of its surface."""
         r = self.radius
-        return tuple(add(self.centre, v) for v in ((r, 0, 0), (-r, 0, 0), (0, r, 0), (0, -r, 0), (0, 0, r), (0, 0, -r)))
+        return tuple(
+            plus(self.centre, v) for v in ((r, 0, 0), (-r, 0, 0), (0, r, 0), (0, -r, 0), (0, 0, r), (0, 0, -r))
+        )
 
     def shapes(self, camera: Camera) -> list[Shape]:
         """A disc."""
@@ -189,21 +191,21 @@ class Sheet:
     def span(self, point: Vector, towards: Vector) -> tuple[float, float] | None:
         """Where a line goes through; see Body."""
         a, b, c = self.corners[:3]
-        normal = unit(cross(sub(b, a), sub(c, a)))
+        normal = unit(cross(minus(b, a), minus(c, a)))
         slope = dot(towards, normal)
         if abs(slope) < 1e-6:  # noqa: PLR2004  seen edge on
             return None
-        t = dot(sub(a, point), normal) / slope
-        hit = along(point, towards, t)
+        t = dot(minus(a, point), normal) / slope
+        hit = plus(point, towards, t)
         signs = {
-            dot(cross(sub(q, p), sub(hit, p)), normal) >= 0
+            dot(cross(minus(q, p), minus(hit, p)), normal) >= 0
             for p, q in zip(self.corners, (*self.corners[1:], self.corners[0]), strict=True)
         }
         return (t, t) if len(signs) == 1 else None
 
     def samples(self) -> tuple[Vector, ...]:
         """Corners drawn a little inwards, and the middle."""
-        return (*(add(scaled(c, 0.8), scaled(self.centre, 0.2)) for c in self.corners), self.centre)
+        return (*(plus(scaled(c, 0.8), scaled(self.centre, 0.2)) for c in self.corners), self.centre)
 
     def shapes(self, camera: Camera) -> list[Shape]:
         """The outline, filled."""
@@ -230,7 +232,7 @@ def body_of(scene: Scene, solid: Solid) -> Body:
 def _level(axis: Vector) -> Vector:
     """A level direction at right angles to an axis."""
     flat = cross((0.0, 0.0, 1.0), axis)
-    return unit(flat) if norm(flat) > 1e-6 else (1.0, 0.0, 0.0)  # noqa: PLR2004  an upright axis
+    return unit(flat) if length(flat) > 1e-6 else (1.0, 0.0, 0.0)  # noqa: PLR2004  an upright axis
 
 
 def _between(low: float, high: float, height: float, climb: float, half: float) -> tuple[float, float] | None:
