@@ -320,7 +320,8 @@ class Exercise:
 
     def __post_init__(self) -> None:
         """Work out what follows from the rest."""
-        object.__setattr__(self, "scope", answer_scope(self.robot, (*self.given, *self.names)))
+        said = (self.task, *(part.prompt for part in self.parts))
+        object.__setattr__(self, "scope", answer_scope(self.robot, (*self.given, *self.names), said))
         object.__setattr__(self, "values", self.known if self.numeric else self.given)
 
     @property

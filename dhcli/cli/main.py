@@ -13,7 +13,7 @@ from types import FrameType
 from dhcli.cli.shell.console import GuardedStream, complain, finish
 from dhcli.errors import DhcliError, ExitStatus, Place, Problem, bug
 
-INSTEAD = {"--force": "--overwrite", "--symbolic": "--derive", "-s": "--derive", "--rows": "--in FILE"}
+INSTEAD = {"--force": "--overwrite", "--symbolic": "--derive", "-s": "--derive"}
 """What some commands have instead of an option that is typed in vain."""
 
 BUGS = "please report it with the command you typed; DHCLI_DEBUG=1 shows where it happened"

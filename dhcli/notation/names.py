@@ -82,6 +82,26 @@ def parts(name: str) -> tuple[str, str]:
     return match["stem"], match["index"] + letters
 
 
+def usual_aliases(names: Iterable[str]) -> dict[str, str]:
+    """What else people write for names, where nothing else has that name: t1 and th1 for theta1, and A1 for a1.
+
+    A capital C or S begins a cosine or a sine, and one without an index may mean something else.
+    """
+    found: dict[str, str] = {}
+    for name in names:
+        stem, index = parts(name)
+        if stem == "theta":
+            found |= {canonical(f"{short}{name.removeprefix('theta')}"): name for short in ("t", "th")}
+        elif index and len(stem) == 1 and stem.islower() and stem not in "cs":
+            found[capital(name)] = name
+    return found
+
+
+def capital(name: str) -> str:
+    """A name with a capital for its first letter: `A1` for `a1`."""
+    return name[:1].upper() + name[1:]
+
+
 def suggestion(word: str, known: Iterable[str]) -> str:
     """A hint at the names that a word may have meant: those that only lack an index first, `theta_i` before theta1."""
     known = tuple(known)

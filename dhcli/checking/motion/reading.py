@@ -106,6 +106,12 @@ def _check_units(body: str, wanted: Sequence[str], exercise: Exercise) -> None:
             raise UnreadableError(f"{typed} is a unit of another kind: {_instead(wanted)}")
 
 
+def unit_of_rates(text: str) -> str:
+    """The unit of a speed or a rate that stands in an answer, as it was typed; nothing where there is none."""
+    found = _SPEED.search(text) or _TURNING.search(text)
+    return found[0].strip() if found else ""
+
+
 def _instead(wanted: Sequence[str]) -> str:
     """What would be right in the place of a unit."""
     return f"write {' or '.join(dict.fromkeys(wanted))}, or numbers alone" if wanted else "write numbers alone"

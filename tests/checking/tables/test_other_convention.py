@@ -15,6 +15,7 @@ from dhcli.kinematics.conventions import NAMES as CONVENTIONS
 from dhcli.kinematics.conventions import OTHER
 from tests.checking.tables.robots_with_tables import NAMES, Rows, invariants, mutations, robot, rows_of
 from tests.nightly import examples
+from tests.row_by_row import row_by_row
 
 WITH_JOINTS = tuple(name for name in NAMES if len(robot(name).variables) > 1)
 
@@ -27,7 +28,7 @@ def relabelled(name: str, rows: Rows | None = None) -> Mark:
     return Judge(exercise).check(exercise.parts[0], text)
 
 
-@pytest.mark.parametrize("name", WITH_JOINTS)
+@row_by_row("name", WITH_JOINTS)
 def test_a_robots_own_rows_under_the_other_convention_are_recognised(name: str) -> None:
     """A last row with a length, or with a twist, is no reason to look for slips in its cells."""
     mark, arm = relabelled(name), robot(name)
