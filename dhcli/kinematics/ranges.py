@@ -14,14 +14,14 @@ from dhcli.kinematics.robot import Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import UNITS
 from dhcli.notation.tokens import Source, tokenize
-from dhcli.notation.tree import Number, number
+from dhcli.notation.tree import Number, number, places_of
 from dhcli.regex import regex
 
 _RANGE = regex(r"(?P<low>.*?)(?:\.\.(?P<high>.*?)(?:\s(?P<word>step|n)(?P<more>(?:\s.*)?))?)?", re.DOTALL)
 """Matches any text, in one go: nothing in it is tried twice."""
 
 _LONGEST_COUNT = 40
-_MOST_PLACES = 10
+_MOST_PLACES = 9
 
 Word: TypeAlias = Literal["step", "n", ""]
 
@@ -138,5 +138,4 @@ def times(value: Value, factor: Fraction | int) -> Value:
 
 def _length(amount: Fraction) -> Number:
     """A length that is shown with its decimals, if it has not too many: 0.12 and not 3/25."""
-    places = (places for places in range(_MOST_PLACES) if (amount * 10**places).denominator == 1)
-    return number(amount, next(places, None))
+    return number(amount, places_of(amount, _MOST_PLACES))
