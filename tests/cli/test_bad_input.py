@@ -6,9 +6,10 @@ from pathlib import Path
 import pytest
 
 from tests.cli.running import Run
+from tests.row_by_row import row_by_row
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("words", "said"),
     [
         ("fk", "dhcli fk needs 'ROBOT'"),

@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-import pytest
 
 from dhcli import forward, jacobian, load_robot
 from tests.cli.running import Run
 from tests.render.code.running import namespace
+from tests.row_by_row import row_by_row
 
 
 def test_a_function_is_written_to_a_file_and_runs(dhcli: Run, tmp_path: Path) -> None:
@@ -67,7 +67,7 @@ def test_a_way_back_takes_the_lengths_that_are_not_put_in(dhcli: Run) -> None:
     assert "(0.5 + a2*c2)^2" in derived
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("words", "said"),
     [
         (("fk", "scara", "--code", "cobol"), "--code knows no language cobol"),

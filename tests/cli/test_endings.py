@@ -11,6 +11,7 @@ from dhcli.render.code.rows import FORMATS
 from dhcli.render.endings import ENDINGS
 from dhcli.render.kinds import _RENDERERS, formats
 from tests.cli.running import Run
+from tests.row_by_row import row_by_row
 
 LINES = {
     "fk": "fk planar-2r --symbolic --format latex",
@@ -42,8 +43,8 @@ parts:
 """
 
 
-@pytest.mark.parametrize("ending", [".c", ".H", ".pdf", ".xlsx"])
-@pytest.mark.parametrize("line", LINES.values(), ids=LINES)
+@row_by_row("ending", [".c", ".H", ".pdf", ".xlsx"])
+@row_by_row("line", LINES.values())
 def test_an_ending_and_a_format_that_contradict_each_other_are_refused(
     dhcli: Run, tmp_path: Path, line: str, ending: str
 ) -> None:

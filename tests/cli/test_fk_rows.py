@@ -14,6 +14,7 @@ import pytest
 
 from dhcli import forward, load_robot
 from tests.cli.running import Run
+from tests.row_by_row import row_by_row
 
 pytestmark = pytest.mark.usefixtures("json_by")
 
@@ -133,7 +134,7 @@ def test_npy_goes_through_a_pipe(process: Run, tmp_path: Path) -> None:
     assert np.load(tmp_path / "p.npy").shape == (3, 3)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("words", "said"),
     [
         ("fk scara --rows q.csv --q 0,0,0", "--q gives all joints, and so does the file"),

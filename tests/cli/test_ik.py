@@ -12,6 +12,7 @@ import pytest
 from dhcli import forward, inverse, load_robot
 from tests.cli.running import Run
 from tests.cli.terminal import Terminal
+from tests.row_by_row import row_by_row
 
 CONTENT = {
     *("robot", "convention", "values", "task", "reference", "frame", "joints", "reachable", "why", "held", "closest"),
@@ -172,7 +173,7 @@ def test_csv_has_a_line_for_each_solution(dhcli: Run) -> None:
     assert len(lines) == 9
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("words", "said"),
     [
         (("puma560",), "no pose is given"),

@@ -8,15 +8,14 @@ import json
 import math
 import os
 import signal
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from dhcli import forward_batch, inverse_batch, load_robot
-from tests.cli.running import Run
+from tests.cli.running import PIPES, Run, start
+from tests.row_by_row import row_by_row
 
 Q = "theta1,theta2,theta3,theta4,theta5,theta6\n0.3,-0.5,0.7,1,0.8,-2\n0.1,0.2,0.3,0.4,0.5,0.6\n"
 NEAR = "0.3,-0.5,0.7,1,0.8,-2"
@@ -90,7 +89,7 @@ def test_poses_out_of_reach_have_no_row_and_are_counted(dhcli: Run) -> None:
     assert {row[0] for row in csv.reader(io.StringIO(done.out))} == {"row", "2"}
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("words", "stdin", "said"),
     [
         (("--each", "all"), None, "name their file with --rows FILE"),
@@ -309,22 +308,15 @@ def test_a_path_is_not_shared(dhcli: Run) -> None:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals as Unix knows them")
-def test_ctrl_c_stops_all_processes(tmp_path: Path) -> None:
+def test_ctrl_c_stops_all_processes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """It comes once rows have been written, while others are at work on the next ones."""
+    monkeypatch.setattr("dhcli.files.rows.poses.BLOCK", 256)
     pose = forward_batch(load_robot("puma560"), [[0.3, -0.5, 0.7, 1, 0.8, -2]])
-    np.save(tmp_path / "poses.npy", np.broadcast_to(pose, (10**5, *pose.shape[1:])))  # seconds of work
+    np.save(tmp_path / "poses.npy", np.broadcast_to(pose, (20_000, *pose.shape[1:])))  # seconds of work
     words = ["ik", "puma560", "--rows", "poses.npy", "--jobs", "2"]
-    with subprocess.Popen(
-        [sys.executable, "-m", "dhcli", *words],
-        cwd=tmp_path,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
-        start_new_session=True,
-    ) as running:
+    with start(tmp_path, *words, **PIPES, start_new_session=True) as running:
         assert running.stdout is not None
-        for _ in range(20_000):  # more than the first block, so that the others have begun
+        for _ in range(2_500):  # more than the first block, so that the others have begun
             running.stdout.readline()
         os.killpg(running.pid, signal.SIGINT)
         _, err = running.communicate(timeout=60)  # it ends when nobody is left who could write there

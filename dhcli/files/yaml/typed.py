@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from dhcli.errors import NotationError
+from dhcli.files.keys.shapes import FLAGS
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.slips import node_kind
@@ -18,7 +19,6 @@ from dhcli.notation.tree import Expr
 from dhcli.regex import regex
 
 MOST_DIGITS = 3
-FLAGS = {"true": True, "yes": True, "false": False, "no": False}
 _OTHER_UNIT = regex(r".*[\d)]\s*(?P<unit>(?:[cm]?m|rad|°|deg)\s*/\s*s|k?N\s*[*·]?\s*[cm]?m|k?N|k?g|s|rpm|%)\s*")
 """A number in a unit of something else."""
 _MOVING = "velocities, rates and forces are numbers in ask:, in m/s, rad/s, N and N m"

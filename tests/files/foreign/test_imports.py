@@ -21,6 +21,8 @@ from dhcli.kinematics.robot import Robot
 from dhcli.render.look import Look
 from dhcli.render.text.robot import robot_csv
 from tests.coupled import COUPLED
+from tests.nightly import in_turn
+from tests.row_by_row import row_by_row
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -142,7 +144,7 @@ def test_links_come_in_the_order_in_which_the_robot_names_them_and_their_unit_ca
     assert gap(robot, [0.4, 0.7], standard(0.4, 0, 0.3, 0) @ standard(0.7, 0, 0.2, 0)) < 1e-15
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "said"),
     [
         ("L = Link('d', q, 'alpha', zz(3))", "zz(...) is not read"),
@@ -282,7 +284,7 @@ def test_rows_of_numbers_get_the_joints_that_are_said() -> None:
     assert gap(bare, [0.3, 0.5], standard(0.3 + math.pi / 2, 0, 1, 0) @ shift(1, 0, 0.8)) < 1e-15
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "wish", "said"),
     [
         ("a,alpha,d,theta\n1,0,0,q1\n", {}, "does not say which convention"),
@@ -356,7 +358,7 @@ def test_a_urdf_is_written_as_products_or_as_a_table() -> None:
     assert gap(table, q, forward(products, q).matrix, start="base", end="tool") < 1e-14
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "form"),
     [
         ("<?xml version='1.0'?><robot name='x'/>", Form.URDF),
@@ -388,7 +390,7 @@ def test_looking_at_a_file_takes_no_longer_than_its_length() -> None:
 def test_every_file_of_the_library_is_one_of_dhclis_own() -> None:
     """None is taken for something else."""
     root = Path(__file__).parents[3]
-    for path in (*root.glob("robots/**/*.yaml"), *root.glob("exercises/**/*.yaml")):
+    for path in in_turn([*root.glob("robots/**/*.yaml"), *root.glob("exercises/**/*.yaml")], 0, 3):
         assert form_of(path.read_text("utf-8")) in (None, Form.TABLE, Form.LISTING)
 
 

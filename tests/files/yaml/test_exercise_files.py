@@ -16,6 +16,7 @@ from dhcli.files.library.kinds import kind_of
 from dhcli.files.library.lookup import Kind, full_id
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.notation.angle import Angle
+from tests.row_by_row import row_by_row
 
 HEAD = "format: 1\ntitle: T\nsource: S\ntask: Do it\nrobot: planar-2r\n"
 PARTS = "parts:\n  - {id: t, ask: pose 0..2, hints: [one, two]}\n"
@@ -130,7 +131,7 @@ def test_all_mistakes_are_told_at_once_in_their_order() -> None:
         assert problem.startswith(start)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("line", "said"),
     [
         ("parts:\n  - {id: t, ask: pose 0..3}\n", "frame 3"),
@@ -271,7 +272,7 @@ def test_a_table_whose_rows_share_a_joint_is_not_asked_for_nor_its_frames() -> N
         assert any("ask: its rows share a joint" in problem for problem in problems(text))
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("ask", "hint"),
     [
         ("position of T02", "write position of pose 0..2"),

@@ -10,6 +10,7 @@ from dhcli.errors import FileError
 from dhcli.files.yaml.exercises import read_exercise
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
+from tests.row_by_row import row_by_row
 
 GIVEN = "{e: 5 mm, beta: 3°, theta1: 30°, theta2: 40°}"
 HEAD = f"format: 1\ntitle: T\nsource: S\ntask: Do it\nrobot: scara\nnumeric: true\ngiven: {GIVEN}\n"
@@ -32,7 +33,7 @@ def values(variants: str) -> list[str]:
     ]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("variants", "first", "last", "count"),
     [
         ("{theta1: 20°..70° step 5°}", "20° 0 rad", "70° 0 rad", 11),
@@ -63,7 +64,7 @@ def test_a_length_is_shown_with_its_decimals() -> None:
     assert Number(Fraction(3, 25)) in range_.values
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("variants", "column", "message"),
     [
         ("{theta9: 20°..70° step 5°}", 12, "theta9 is neither a joint nor a parameter of the robot, nor given"),
