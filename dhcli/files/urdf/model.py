@@ -168,7 +168,7 @@ class _Reader:
                 joint.rpy = self.three(attributes.get("rpy", "0 0 0"), "rpy")
             case "axis":
                 joint.axis = self.three(attributes.get("xyz", "1 0 0"), "axis")
-            case "limit" if joint.kind in ("revolute", "prismatic"):
+            case "limit" if joint.kind in ("revolute", "prismatic") and {"lower", "upper"} & attributes.keys():
                 low, high = attributes.get("lower", "0"), attributes.get("upper", "0")
                 self.three(f"{low} {high} 0", "limit")
                 joint.limits = low.strip(), high.strip()

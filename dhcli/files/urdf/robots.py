@@ -23,7 +23,7 @@ from dhcli.notation.tree import Expr, Number, Symbol, add, decimal, multiply
 from dhcli.regex import regex
 
 _NOTHING = 1e-9
-"""A way of the tip of which nobody is told [m]."""
+"""What is so little that nobody is told of it [rad or m]."""
 _KEPT = regex(r"[A-Za-z]+_?[0-9]+")
 """Names of joints that are names of variables too."""
 
@@ -113,6 +113,7 @@ class _Builder:
             links=tuple(links),
             limits=limits,
             remarks=(*self.taken(), *self.remarks, *self.left_out(), *odd_numbers(self.joints)),
+            called={variable: joint for joint, variable in variables.items() if joint != variable},
             notes="\n".join(
                 f"{variable} is the joint {joint}." for joint, variable in variables.items() if joint != variable
             ),
@@ -221,13 +222,14 @@ class _Builder:
             return
         text, degrees = rounded[0]
         tip = sum(shift * (sum(self.lengths[behind:]) + self.slides()) for shift, behind in self.shifts)
-        if tip < _NOTHING:  # they were typed with all their digits
+        seen = max(tip, *(shift for shift, _ in self.shifts))
+        if seen < _NOTHING:  # they were typed with all their digits
             return
         count = f"{len(rounded)} of {plural(self.meaning.angles, 'angle')}"
         said = (
             f"taken for multiples of 15°: {count} ({text} -> {degrees}°); the tip moves by at most {small_length(tip)}"
         )
-        yield remark_on(f"{said}; --as-typed keeps them", tip)
+        yield remark_on(f"{said}; --as-typed keeps them", seen)
 
     def left_out(self) -> Iterator[str]:
         """Which limits are none."""

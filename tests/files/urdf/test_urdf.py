@@ -21,6 +21,7 @@ from dhcli.kinematics.forward import forward
 from dhcli.kinematics.inverse.asked import inverse
 from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.values import joint_values
 from tests.coupled import COUPLED
 from tests.nightly import NIGHT
 from tests.row_by_row import row_by_row
@@ -121,6 +122,25 @@ def test_limits_and_names_of_joints_are_kept() -> None:
     assert robot.variables == ("theta1", "theta2", "d3")
     assert set(robot.limits) == {"theta1", "d3"}
     assert "theta2 is the joint elbow." in robot.notes
+
+
+def test_joints_have_the_names_of_the_file_too() -> None:
+    """Before all others: a joint called q1 is that joint, and not the first one."""
+    robot = load_robot(DATA / "three-joints.urdf", tip="tool0")
+    named = forward(robot, {"slide": 0.2, "elbow": -1.1, "shoulder": 0.3})
+    assert named.rows == forward(robot, [0.3, -1.1, 0.2]).rows
+    other = read_urdf(THREE.replace('name="slide"', 'name="q1"'), "x", "x", tip="tool0")
+    assert joint_values(other, "q1=0.2") == joint_values(other, "d3=0.2")
+
+
+def test_a_rounded_turn_at_the_tip_is_told_by_the_turn() -> None:
+    """It moves the tip by nothing, and turns it."""
+    robot = read_urdf(
+        with_change("3.1416", "3.14").replace("1.5708", "0.3").replace("1.57079", "0.3"), "x", "x", tip="tool0"
+    )
+    (remark,) = robot.remarks
+    assert "1 of 12 angles (3.14 -> 180°)" in remark
+    assert [*warnings(robot, {})] == [remark]
 
 
 def test_another_base_and_tip_are_another_chain() -> None:
@@ -267,6 +287,9 @@ def test_what_is_left_out_is_said_once_and_what_nobody_can_see_never() -> None:
     assert robot.remarks == ("the limits of shoulder, slide are left out: lower is not below upper",)
     assert list(warnings(robot, {})) == []
     assert robot.limits == {}
+    bare = read_urdf(THREE.replace('lower="-3.14" upper="3.14" ', ""), "x", "x", tip="tool0")
+    assert "theta1" not in bare.limits
+    assert "shoulder" not in " ".join(bare.remarks)
 
 
 def test_fixed_shifts_one_behind_the_other_are_one() -> None:
