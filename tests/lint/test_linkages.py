@@ -142,3 +142,15 @@ def test_links_without_brackets_are_shown_with_them(tmp_path: Path) -> None:
     assert (found.message, found.hint) == ("links: should be a list, is a text", "write [crank, rod]")
     (found,) = findings(tmp_path, f"{text}  - {{type: R, links: crank}}\n  - {{type: R, links: [crank, rod]}}\n")
     assert (found.message, found.hint) == ("links: should be a list, is a text", "write [ground, crank]")
+
+
+def test_cosines_of_degrees_without_their_sign_are_told(tmp_path: Path) -> None:
+    """Nobody means 60 radians, written or by a name."""
+    (found,) = findings(tmp_path, CLEAN.replace("B: [-0.5, 1]", "B: [-0.5, cos(60)]"))
+    assert (found.message, found.hint) == ("cos of 60 does not say what 60 is", "write 60° for degrees")
+    named = CLEAN.replace("points:", "let: {phi: 60}\npoints:").replace("B: [-0.5, 1]", "B: [-0.5, 2*cos(phi)]")
+    (found,) = findings(tmp_path, named)
+    assert found.message == "phi is 60 without a unit, and stands in a cosine or sine"
+    assert found.hint == "write phi: 60°"
+    assert findings(tmp_path, named.replace("phi: 60", "phi: 60°")) == []
+    assert findings(tmp_path, named.replace("phi: 60", "phi: 1.0472")) == []

@@ -9,13 +9,13 @@ from dhcli.algebra.floats import Floats
 from dhcli.errors import NotationError, did_you_mean
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
+from dhcli.files.yaml.typed import parsed
 from dhcli.geometry.vectors import ALONG
 from dhcli.mobility.linkage import Vector
-from dhcli.notation.angle import Angle
-from dhcli.notation.parser import parse
+from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle
 from dhcli.notation.quantity import ANGLE_UNITS, DimensionError, to_angle, to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr, Unit
+from dhcli.notation.tree import Expr, Trig, Unit
 from dhcli.notation.walk import symbols, walk
 from dhcli.regex import regex
 
@@ -121,10 +121,16 @@ class Coordinates:
 
     def _expression(self, scalar: PlacedScalar) -> Expr | None:
         try:
-            return parse(scalar.text, self.scope, scalar.place_of(0))
+            expr = parsed(scalar, self.scope)
         except NotationError as error:
             self.problems.take(error)
             return None
+        turning = (name for node in walk(expr) if isinstance(node, Trig) for name in sorted(node.angle.names))
+        for name in dict.fromkeys(turning):
+            if isinstance(value := self.values.get(name), float) and abs(value) > FULL_TURN_IN_RADIANS:
+                message = f"{name} is {value:g} without a unit, and stands in a cosine or sine"
+                self.problems.add(scalar.place, message, f"write {name}: {value:g}°")
+        return expr
 
     def _number(self, expr: Expr, scalar: PlacedScalar, key: str) -> float:
         try:

@@ -8,14 +8,13 @@ from dhcli.files.keys.shapes import names, required
 from dhcli.files.yaml.coordinates import Coordinates
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
-from dhcli.files.yaml.typed import read_flag
+from dhcli.files.yaml.typed import parsed, read_flag
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
 from dhcli.mobility.dhloop import joints_of_loop
 from dhcli.mobility.linkage import Joint
 from dhcli.mobility.pairs import LETTERS, LinkageError, Pair, Space, pair_of
 from dhcli.mobility.patterns import count_of, read_chain
 from dhcli.notation.angle import Angle
-from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.regex import regex
 
@@ -210,7 +209,7 @@ class JointReader:
             if scalar is None:
                 continue
             try:
-                expr = parse(scalar.text, scope, scalar.place_of(0))
+                expr = parsed(scalar, scope)
                 cells[column] = to_angle(expr, bare="refuse") if column in ("alpha", "theta") else to_length(expr)
             except NotationError as error:
                 self.problems.take(error)

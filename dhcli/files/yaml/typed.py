@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from dhcli.errors import NotationError
+from dhcli.errors import NotationError, Problem
 from dhcli.files.keys.shapes import FLAGS
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.slips import node_kind
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle
 from dhcli.notation.factors import AXES
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_plain_length, with_unit
 from dhcli.notation.quarters import with_right_angles
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr
+from dhcli.notation.tree import Expr, Trig
+from dhcli.notation.walk import walk
+from dhcli.notation.writer import write_number
 from dhcli.regex import regex
 
 MOST_DIGITS = 3
@@ -25,6 +27,21 @@ _MOVING = "velocities, rates and forces are numbers in ask:, in m/s, rad/s, N an
 _MOVES = "Trans(0, 0, 0.1) Rot(z, 90°)"
 NOTHING = Scope()
 """A scope without names, for values that must be constants."""
+
+
+def parsed(scalar: PlacedScalar, scope: Scope) -> Expr:
+    """The expression of a scalar.
+
+    Raises:
+        NotationError: It is none, or has a sine of 30, which nobody means in radians.
+    """
+    expr = parse(scalar.text, scope, scalar.place_of(0))
+    for node in walk(expr) if "(" in scalar.text else ():
+        if isinstance(node, Trig) and not node.angle.terms and abs(node.angle.radians) > FULL_TURN_IN_RADIANS:
+            typed = write_number(abs(node.angle.radians), MOST_DIGITS)
+            message = f"{node.function} of {typed} does not say what {typed} is"
+            raise NotationError(Problem(message, scalar.place, f"write {typed}° for degrees"))
+    return expr
 
 
 def read_value(  # noqa: PLR0913  what may be said of a value
@@ -49,7 +66,7 @@ def read_value(  # noqa: PLR0913  what may be said of a value
         unit: The unit of a bare length; empty for metres.
     """
     try:
-        expr = parse(scalar.text, scope, scalar.place_of(0))
+        expr = parsed(scalar, scope)
         if not is_angle:
             return to_plain_length(with_unit(expr, unit))
         return to_angle(expr if remarks is None else taken_exactly(expr, key, remarks), bare="refuse")
