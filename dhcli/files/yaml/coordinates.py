@@ -22,6 +22,7 @@ from dhcli.regex import regex
 MOST_NAMES = 1_000
 """Names under `let:`; each is read with all before it in view."""
 
+_BETWEEN = regex(r"\s*([^\s>→-]+)\s*(?:-+>?|→|,)?\s*([^\s>→-]+)\s*")
 _FROM_TO = regex(r"\s*(\S+)\s+to\s+(\S+)\s*")
 
 
@@ -94,7 +95,7 @@ class Coordinates:
 
     def direction(self, node: PlacedNode, key: str) -> Vector:
         """A direction: `x`, `-z`, `A to B`, or its components."""
-        if not isinstance(node, PlacedScalar):
+        if not isinstance(node, PlacedScalar) or node.text.startswith("("):
             return self._coordinates(node, key)
         sign, letter = (-1.0, node.text[1:]) if node.text.startswith("-") else (1.0, node.text)
         if letter in ALONG:
@@ -103,7 +104,13 @@ class Coordinates:
         if match := _FROM_TO.fullmatch(node.text):
             ends = [self.point(PlacedScalar(name, node.place), key) for name in match.groups()]
             return ends[1][0] - ends[0][0], ends[1][1] - ends[0][1], ends[1][2] - ends[0][2]
-        self.problems.add(node.place, f"{key}: '{node.text}' is no direction", "write x, -y, [1, 0, 1], or A to B")
+        between = _BETWEEN.fullmatch(node.text)
+        hint = "write x, -y, [1, 0, 1], or A to B"
+        if letter.lower() in ALONG:
+            hint = f"write {node.text.lower()}"
+        elif between and {*between.groups()} <= self.points.keys():
+            hint = f"write {between[1]} to {between[2]}"
+        self.problems.add(node.place, f"{key}: '{node.text}' is no direction", hint)
         return ALONG["z"]
 
     def _coordinates(self, node: PlacedNode, key: str) -> Vector:
