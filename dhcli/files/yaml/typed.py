@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from dhcli.errors import NotationError, Problem
 from dhcli.files.keys.shapes import FLAGS
 from dhcli.files.yaml.fields import Fields, Problems
-from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence
+from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence, as_text
 from dhcli.files.yaml.slips import node_kind
 from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle
 from dhcli.notation.factors import AXES
@@ -72,8 +70,7 @@ def read_value(  # noqa: PLR0913  what may be said of a value
         return to_angle(expr if remarks is None else taken_exactly(expr, key, remarks), bare="refuse")
     except NotationError as error:
         if other := _OTHER_UNIT.fullmatch(scalar.text):
-            wanted = "an angle" if is_angle else "a length"
-            problems.add(scalar.place, f"{key}: is in {other['unit']}, {wanted} is wanted", _MOVING)
+            problems.add(scalar.place, f"{key}: {other['unit']} is no unit of an angle or a length", _MOVING)
         else:
             problems.take(error)
     except DimensionError as error:
@@ -96,16 +93,12 @@ def read_moves(problems: Problems, node: PlacedNode, key: str) -> PlacedScalar |
     rows = [_texts(item) for item in node.items] if isinstance(node, PlacedSequence) else []
     if isinstance(node, PlacedSequence) and rows and all(rows):
         least = min(map(len, rows))
-        rows = [_texts(PlacedSequence(problems.sequence(item, key, count=least), item.place)) for item in node.items]
-        return PlacedScalar(f"[{', '.join(map(_listed, rows))}]", node.place)
+        items = (PlacedSequence(problems.sequence(item, key, count=least), item.place) for item in node.items)
+        return PlacedScalar(as_text(PlacedSequence(tuple(items), node.place)), node.place)
     shift = _texts(node)
     hint = f"write Trans({', '.join(shift)})" if len(shift) == len(AXES) else f"write {_MOVES}"
     problems.add(node.place, f"{key}: should be moves, is {node_kind(node)}", hint)
     return None
-
-
-def _listed(texts: Sequence[str]) -> str:
-    return f"[{', '.join(texts)}]"
 
 
 def _texts(node: PlacedNode) -> list[str]:
