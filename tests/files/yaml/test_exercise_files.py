@@ -335,7 +335,7 @@ def test_answers_under_tests_and_printed_may_be_lists_as_on_a_sheet() -> None:
     printed = "printed:\n  p: [a1*c1, a1*s1, 0]\n  t:\n    answer:\n      - [c1]\n      - [s1]\n"
     exercise = read_exercise(HEAD + parts + tests + printed, "my.yaml", "my")
     assert exercise.trials[0].answer == rows
-    printed_of = {part.id: part.printed.answer for part in exercise.parts if part.printed is not None}
+    printed_of = {part.id: part.printed.text for part in exercise.parts if part.printed is not None}
     assert printed_of == {"p": "[a1*c1, a1*s1, 0]", "t": "[[c1], [s1]]"}
 
 
