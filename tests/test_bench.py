@@ -252,6 +252,7 @@ def test_start_up_is_held_against_one_unit(tmp_path: Path, monkeypatch: pytest.M
     for name in ("PYTHONPYCACHEPREFIX", "XDG_DATA_HOME"):  # the group sets these; put back at the end
         monkeypatch.setenv(name, "")
     monkeypatch.setenv("PYTHONDONTWRITEBYTECODE", "1")
+    monkeypatch.setattr(startup, "furnish", lambda _home: None)
     row = Row("a command", "the whole process", startup.UNIT, ((0.3, 0.2), (0.2, 0.2), (0.4, 0.2)))
     assert startup.in_units(row, 300, 200) == "1.50 units, 1.50 by instructions"
     assert startup.in_units(row, 0, 0) == "1.50 units"
