@@ -63,6 +63,8 @@ def yaml_scalar(text: str) -> str:
     """A text as one value in YAML; in quotes unless it is plainly a name, or the id of an exercise."""
     if _NAME.fullmatch(text):
         return text
+    if text.isprintable() and "'" in text and not {'"', "\\"} & set(text):
+        return f'"{text}"'
     if text.isprintable():
         return "'" + text.replace("'", "''") + "'"
     import json

@@ -7,6 +7,7 @@ first.
 
 from __future__ import annotations
 
+import gc
 import io
 import json
 import os
@@ -33,7 +34,10 @@ class Notes:
 
 
 def noted(line: str) -> dict[str, object]:
-    """Run a command here: its exit code, what it says beside its result, and of each module it imports who asked."""
+    """Run a command here: its exit code, what it says beside its result, and of each module it imports who asked.
+
+    And how many objects Python will look through for garbage when it ends.
+    """
     notes = Notes()
     sys.meta_path.insert(0, notes)  # type: ignore[arg-type]
     sys.argv[:] = ["dhcli", *line.split()]
@@ -43,8 +47,9 @@ def noted(line: str) -> dict[str, object]:
             runpy.run_module("dhcli", run_name="__main__", alter_sys=True)
         except SystemExit as ended:
             code = ended.code
+    left = len(gc.get_objects())
     asked = {name: asker for name, asker in notes.asked.items() if name in sys.modules}
-    return {"code": code or 0, "said": said.getvalue(), "asked": asked}
+    return {"code": code or 0, "said": said.getvalue(), "asked": asked, "left": left}
 
 
 def in_a_process(line: str) -> object:

@@ -7,6 +7,7 @@ itself stands in `asking`, what it returns in `returned`.
 
 from __future__ import annotations
 
+import math
 import shlex
 from abc import abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -44,6 +45,8 @@ R = TypeVar("R")
 
 PLACES = {"mm": 2, "cm": 3, "m": 5}
 """Decimals of a hundredth of a millimetre."""
+FIGURES = 3
+"""Digits of a distance that is told of an answer in numbers."""
 MOST_RECENT = 500
 """Things of one kind that answers bring along and that are kept: entries, mostly, that many students write alike."""
 
@@ -317,7 +320,8 @@ class Exercise:
 
     def __post_init__(self) -> None:
         """Work out what follows from the rest."""
-        object.__setattr__(self, "scope", answer_scope(self.robot, (*self.given, *self.names)))
+        said = (self.task, *(part.prompt for part in self.parts))
+        object.__setattr__(self, "scope", answer_scope(self.robot, (*self.given, *self.names), said))
         object.__setattr__(self, "values", self.known if self.numeric else self.given)
 
     @property
@@ -364,6 +368,11 @@ class Exercise:
     def typed(self) -> str:
         """What is typed behind a command to mean it: its id, and its variant."""
         return f"{self.id} --variant {shlex.quote(self.variant)}" if self.variant else self.id
+
+    @property
+    def file_name(self) -> str:
+        """What a file about it is called, without its ending."""
+        return self.id.split("/")[-1]
 
     @property
     def asked(self) -> tuple[Part, ...]:
@@ -416,6 +425,13 @@ class Exercise:
         """
         text = rounded(metres / float(self.metres), PLACES.get(self.unit, 4))
         return f"{'+' * (signed and metres > 0)}{text}{self.behind}"
+
+    def about(self, metres: float) -> str:
+        """By how much numbers that were typed are off, to three digits: more than a tolerance of a thousandth says."""
+        shown = abs(metres / float(self.metres))
+        finest = PLACES.get(self.unit, 4)
+        places = FIGURES - 1 - math.floor(math.log10(shown)) if shown and math.isfinite(shown) else finest
+        return f"{rounded(metres / float(self.metres), max(0, min(places, finest)))}{self.behind}"
 
     @property
     def metres(self) -> Fraction:

@@ -35,6 +35,7 @@ from dhcli.checking.truth import Truth, is_length
 from dhcli.checking.verdicts import (
     AGREEING,
     INVERSE,
+    TO_DIGITS,
     TOO_FEW,
     TRANSPOSED,
     UNSOLVED,
@@ -112,7 +113,7 @@ def mark_numbers(
         verdict = Verdict.ROUNDED
     if verdict is Verdict.ROUNDED:
         cells = tuple(replace(c, verdict=Verdict.ROUNDED) if c.verdict is not Verdict.RIGHT else c for c in cells)
-        remarks: tuple[str, ...] = ("right to the digits typed; more digits are wanted",)
+        remarks: tuple[str, ...] = (TO_DIGITS,)
     else:
         remarks = _remarks(question, truth.numbers, typed, cells, exercise, _slack(entries))
         if verdict is not Verdict.RIGHT and _is_rounded(question, truth, entries, typed, limits, unit, least=0):
@@ -246,7 +247,7 @@ def _remarks(
     unsharp = any(not is_length(question, cell.row, cell.column) for cell in wrong)
     said = ("the axes point the right way, but their direction cosines need more digits",) if unsharp else ()
     displaced = [cell.row for cell in wrong if is_length(question, cell.row, cell.column)]
-    offsets = [(k, exercise.distance(typed[k][3] - right[k][3])) for k in displaced]
+    offsets = [(k, exercise.about(typed[k][3] - right[k][3])) for k in displaced]
     off = ", ".join(f"{offset} along {'xyz'[k]}" for k, offset in offsets if offset.split()[0] != "0")
     if not off:
         return said

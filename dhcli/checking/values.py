@@ -12,7 +12,7 @@ from dhcli.checking.other_unit import RADIANS, WrongUnitError, is_clear, refuse_
 from dhcli.checking.pasted import UnreadableError, without_label
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance, is_rounding_of, judge, without_unit
 from dhcli.checking.units import is_measure, length_in_metres
-from dhcli.checking.verdicts import AGREEING, UNSOLVED, CellMark, Mark, Verdict
+from dhcli.checking.verdicts import AGREEING, TOO_FEW, UNSOLVED, CellMark, Mark, Verdict
 from dhcli.errors import Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Value
@@ -80,7 +80,7 @@ def quantity_of(expr: Expr, exercise: Exercise) -> Quantity:
     if has_angle_unit(expr) or (inside and all(scope.is_angle(name) for name in inside)):
         try:
             angle = to_angle(expr)
-            return Quantity(_with_given(angle, exercise) if exercise.numeric else angle, is_angle=True)
+            return Quantity(angle.substitute(exercise.given) if exercise.numeric else angle, is_angle=True)
         except DimensionError:
             pass  # a cosine of an angle is a number
     measure = is_measure(expr, scope)
@@ -100,6 +100,8 @@ def mark_value(exercise: Exercise, right: Quantity, answer: TypedValue, toleranc
     remarks: tuple[str, ...] = ()
     if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(typed, right, exercise):
         verdict, remarks = Verdict.ROUNDED, (NOT_EXACT,)
+    if verdict in UNSOLVED and exercise.numeric and _agrees_to_digits(exercise, right, answer):
+        remarks = (TOO_FEW,)
     note = _note(typed, right, exercise) if verdict is Verdict.WRONG else ""
     earned = float(verdict in AGREEING)
     return Mark(verdict, reading, (CellMark(0, 0, verdict, reading, shown, note),), remarks, earned, shown)
@@ -190,7 +192,7 @@ def _verdict(
 
     typed, right = answer.value, quantity.value
     if isinstance(typed, Angle) and isinstance(right, Angle):
-        difference = _with_given(typed, exercise) - _with_given(right, exercise)
+        difference = typed.substitute(exercise.given) - right.substitute(exercise.given)
         return Verdict.WRONG if difference.terms else judge(_degrees_apart(difference), 0.0, tolerance.angle)
     if isinstance(typed, Angle) or isinstance(right, Angle) or quantity.is_angle:
         from dhcli.checking.angles import in_radians, judge_angle
@@ -220,6 +222,16 @@ def _verdict(
     return verdict
 
 
+def _agrees_to_digits(exercise: Exercise, right: Quantity, answer: TypedValue) -> bool:
+    """Whether a length or a number is the right one to the digits typed, however few."""
+    from dhcli.checking.symbolic import put
+
+    if isinstance(right.value, Angle) or right.is_angle or symbols(value := put(right.value, exercise.values)):
+        return False
+    number, unit = without_unit(answer.expr, float(exercise.metres) if right.is_length else 1.0)
+    return is_rounding_of(number, Floats(numbers(exercise.values)).value(value) / unit, least=0)
+
+
 def _limit(truth: float, tolerance: Tolerance) -> float:
     """What a length or a number may be off."""
     return tolerance.position if tolerance.position is not None else 1e-3 * max(abs(truth), 1e-9)
@@ -246,7 +258,7 @@ def _is_exact(typed: Quantity, right: Quantity, exercise: Exercise) -> bool:
     from dhcli.checking.symbolic import is_exactly
 
     if isinstance(typed.value, Angle) and isinstance(right.value, Angle):
-        apart = _with_given(typed.value, exercise) - _with_given(right.value, exercise)
+        apart = typed.value.substitute(exercise.given) - right.value.substitute(exercise.given)
         return not apart.terms and not apart.radians and not apart.degrees % FULL_TURN
     if right.is_angle:
         from dhcli.checking.angles import EXACT, in_radians, judge_angle
@@ -273,8 +285,3 @@ def _note(typed: Quantity, right: Quantity, exercise: Exercise) -> str:
 
     scope = exercise.scope
     return branch_of(in_radians(typed.value, scope), in_radians(right.value, scope), exercise)
-
-
-def _with_given(angle: Angle, exercise: Exercise) -> Angle:
-    """An angle with the values that the task gives."""
-    return angle.substitute({name: v for name, v in exercise.given.items() if isinstance(v, Angle)})

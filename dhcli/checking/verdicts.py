@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from enum import Enum
 
 from dhcli.checking.diagnosis.result import Diagnosis
@@ -53,7 +54,11 @@ COUNTED = " comes out when "
 HALF_TURN_OFF = "elsewhere it is half a turn off, as atan loses the quadrants on the left"
 """What is said of a formula with atan for atan2; it names the slip, wherever in the formula that stands."""
 
-TOO_FEW = "too few digits to judge: write three decimals; to the digits typed it agrees with what is right"
+TO_DIGITS = "right to the digits typed; more digits are wanted"
+APPROXIMATE = "right approximately: decimals stand where an exact value is"
+"""Of a number that is rounded, and of a formula with one."""
+
+TOO_FEW = "right to the digits typed, which are too few to judge: write three decimals"
 """What is said of 0.4 for 0.449."""
 
 INVERSE = "this is the inverse: it shows the reference from the frame"
@@ -121,10 +126,22 @@ class Mark:
     expected: str = ""
     diagnosis: Diagnosis | None = None
     other_unit: str = ""
+    found: float = 0.0
+
+    @property
+    def is_too_short(self) -> bool:
+        """Whether it agrees with what is right as far as it was typed, and is no proof that somebody worked it out."""
+        return TOO_FEW in self.remarks and not self.is_in_other_unit
 
     @property
     def is_in_other_unit(self) -> bool:
         """Whether its entries are judged in another unit than that of the sheet."""
         return bool(self.remarks) and self.remarks[0].startswith(IN_OTHER_UNIT)
 
-    found: float = 0.0
+    def with_digits_told(self) -> Mark:
+        """One that is too short as what it is, ROUNDED, entry by entry; it has earned no more by that."""
+        if not self.is_too_short:
+            return self
+        rounded = Verdict.ROUNDED
+        cells = tuple(c if c.verdict is Verdict.RIGHT else replace(c, verdict=rounded, note="") for c in self.cells)
+        return replace(self, verdict=rounded, cells=cells)

@@ -10,6 +10,7 @@ from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.description import Description
 from dhcli.kinematics.values import Values, symbols_of
 from dhcli.notation.angle import Angle
+from dhcli.notation.quarters import Slight
 
 SLACK = 1e-9
 """By how much a value may be beyond a limit and still be at it [rad or m]: limits in degrees are no floats."""
@@ -17,7 +18,7 @@ SLACK = 1e-9
 
 def warnings(robot: Description, values: Values) -> Iterator[str]:
     """What a person should know of a robot and of joint values that can be computed all the same."""
-    yield from robot.remarks
+    yield from (remark for remark in robot.remarks if not isinstance(remark, Slight))
     for joint in robot.joints:
         value = values.get(joint.name)
         if value is None:

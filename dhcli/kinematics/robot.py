@@ -40,7 +40,8 @@ class Robot(Description):
         tools: Tools by name, each with the moves from the last frame to its own, to take in the place of `tool`.
         actuators: The motors, where they drive joints together; `in_motors` gives the robot by their values.
         drives: Of a robot by motor values, the robot by joint values.
-        remarks: What was taken for something else when it was read, such as 1.5708 rad for 90°.
+        remarks: What was taken for something else when it was read, such as 1.5708 rad for 90°; what is so near that
+            no result shows it is told where a robot is shown, and not at each use.
         path: The file it was read from; None if it was made in Python or came from standard input. Two robots are equal
             wherever they were read.
 

@@ -9,16 +9,33 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from dhcli.notation.angle import Angle
-from dhcli.notation.dimensions import ANGLE_UNITS
+from dhcli.notation.dimensions import RADIANS
 from dhcli.notation.tree import Expr, Number, Product, Sum, Unit, add, multiply
 
-RADIANS = ANGLE_UNITS & {"rad", "radian", "radians"}
 MOST_QUARTERS = 8
 """Two turns; beyond them nobody writes a right angle in radians."""
 
+SEEN = 5e-5
+"""From here on a result shows a difference: half of the fourth decimal, the last that is shown [rad or m]."""
 _QUARTER = Fraction(31415926535897932384626433832795028841971, 2 * 10**40)
 _LEAST_PLACES = 2
 _MOST_PLACES = 30
+
+
+class Slight(str):
+    """A remark on what no result shows: it is told where a robot is shown, and not each time that it is used."""
+
+    __slots__ = ()
+
+
+def remark_on(text: str, by: float) -> str:
+    """A remark on what was taken for something else, which is slight if that is so near that nobody sees it.
+
+    Args:
+        text: The remark.
+        by: How far the two are apart [rad], or how far that moves the tip [m].
+    """
+    return Slight(text) if by < SEEN else text
 
 
 def right_angle_of(value: Fraction, places: int | None) -> int | None:
@@ -52,7 +69,8 @@ def with_right_angles(expr: Expr, remarks: list[str]) -> Expr:
         case Product((Number(value, places), Unit(name))) if name in RADIANS:
             degrees = right_angle_of(value, places)
             if degrees is not None:
-                remarks.append(f"{Number(value, places)} rad is taken as {degrees}°, which it is to its digits")
+                text = f"{Number(value, places)} rad is taken as {degrees}°, which it is to its digits"
+                remarks.append(remark_on(text, float(abs(value - degrees // 90 * _QUARTER))))
                 return multiply(Number(Fraction(degrees)), Unit("deg"))
     return expr
 

@@ -203,16 +203,8 @@ def test_fewer_digits_than_the_tolerance_wants_are_rounded_and_earn_all(places: 
     [
         ("0.3 0.36 -0.11", Verdict.ROUNDED, "right to the digits typed"),  # 0.3 for 0.299 is within the tolerance
         ("0.30 0.36 -0.11", Verdict.ROUNDED, "right to the digits typed"),
-        (
-            "0.3 0.4 -0.1",
-            Verdict.WRONG,
-            "too few digits to judge: write three decimals; to the digits typed it agrees with what is right",
-        ),
-        (
-            "0.3 0.3 -0.1",
-            Verdict.WRONG,
-            "too few digits to judge: write three decimals; to the digits typed it agrees with what is right",
-        ),  # cut off
+        ("0.3 0.4 -0.1", Verdict.ROUNDED, TOO_FEW),
+        ("0.3 0.3 -0.1", Verdict.ROUNDED, TOO_FEW),  # cut off
         ("0.3 0.5 -0.1", Verdict.WRONG, ""),
     ],
 )
@@ -221,7 +213,8 @@ def test_digits_that_are_right_but_too_few_are_told_as_such(answer: str, verdict
     judged = check(load_exercise("zhou/three-r-arm-tip-in-numbers"), "tip", answer)
     assert judged.verdict is verdict
     assert any(said.startswith(remark) for said in judged.remarks) or not remark
-    assert remark or not any(said.startswith("too few digits") for said in judged.remarks)
+    assert judged.is_too_short == (remark == TOO_FEW)
+    assert (judged.earned == 1) == (verdict is Verdict.ROUNDED and remark != TOO_FEW)
 
 
 @pytest.mark.parametrize("degrees", range(5, 90, 5))
@@ -229,10 +222,35 @@ def test_two_decimals_are_rounded_however_small_an_entry_is(degrees: int) -> Non
     """Such as 0.09 beside 1.00; with one decimal they are too few."""
     robot = load_robot("planar-2r")
     exercise = question_about(robot, "pose 0..2", numeric=True, given=joint_values(robot, f"0,{degrees}°"))
-    for places, verdicts in ((2, {Verdict.RIGHT, Verdict.ROUNDED}), (1, {Verdict.CLOSE, Verdict.WRONG})):
+    for places, is_enough in ((2, True), (1, False)):
         rows = forward(robot, (0, math.radians(degrees))).rows
         answer = "; ".join(" ".join(f"{float(entry):.{places}f}" for entry in row) for row in rows)
-        assert check(exercise, "pose", answer).verdict in verdicts
+        judged = check(exercise, "pose", answer)
+        assert judged.verdict in (Verdict.RIGHT, Verdict.ROUNDED)
+        assert judged.is_too_short is not is_enough
+        assert (judged.earned == 1) is is_enough
+
+
+@pytest.mark.parametrize(
+    ("sheet", "part", "answer", "verdict", "is_short"),
+    [
+        ("motion/planar-rates-in-numbers", "w", "0.1", Verdict.ROUNDED, True),  # 0.11276
+        ("motion/planar-rates-in-numbers", "w", "0.11", Verdict.ROUNDED, False),
+        ("motion/planar-rates-in-numbers", "w", "0.2", Verdict.WRONG, False),
+        ("motion/planar-rates-in-numbers", "jacobian", "-0.4 -0.3; 0.3 0.0; 0 0", Verdict.ROUNDED, True),
+        ("motion/planar-rates-in-numbers", "jacobian", "-0.4 -0.3; 0.3 0.1; 0 0", Verdict.WRONG, False),
+    ],
+)
+def test_one_decimal_is_too_few_in_every_kind_of_answer(
+    sheet: str, part: str, answer: str, verdict: Verdict, *, is_short: bool
+) -> None:
+    """A single number and the entries of a Jacobian as well as those of a matrix."""
+    judged = check(load_exercise(sheet), part, answer)
+    assert (judged.verdict, judged.is_too_short, judged.earned < 1) == (
+        verdict,
+        is_short,
+        verdict is not Verdict.ROUNDED or is_short,
+    )
 
 
 # ------------------------------------------------------------------------------------------------------ geometry
@@ -245,9 +263,9 @@ NOT_SHARP = "the axes point the right way, but their direction cosines need more
     ("digits", "shift", "verdict", "remarks"),
     [
         ("0.7058", "0.2121", Verdict.CLOSE, (NOT_SHARP,)),
-        ("0.7058", "0.2", Verdict.WRONG, (NOT_SHARP, "the position is off by -0.01213 m along x, -0.01213 m along y")),
-        ("0.7", "0.3", Verdict.WRONG, (NOT_SHARP, "the position is off by 0.08787 m along x, 0.08787 m along y")),
-        ("0.7", "0.2", Verdict.WRONG, (TOO_FEW,)),
+        ("0.7058", "0.2", Verdict.WRONG, (NOT_SHARP, "the position is off by -0.0121 m along x, -0.0121 m along y")),
+        ("0.7", "0.3", Verdict.WRONG, (NOT_SHARP, "the position is off by 0.0879 m along x, 0.0879 m along y")),
+        ("0.7", "0.2", Verdict.ROUNDED, (TOO_FEW,)),
     ],
 )
 def test_too_few_digits_are_no_turned_orientation(
@@ -257,6 +275,16 @@ def test_too_few_digits_are_no_turned_orientation(
     answer = f"{digits} -{digits} 0 {shift}; {digits} {digits} 0 {shift}; 0 0 1 0; 0 0 0 1"
     judged = check(load_exercise("planar-in-numbers"), "a2", answer)
     assert (judged.verdict, judged.remarks) == (verdict, remarks)
+
+
+@given(st.floats(1e-3, 100), st.sampled_from(["m", "cm", "mm"]))
+def test_a_distance_is_told_to_three_digits(metres: float, unit: str) -> None:
+    """Or to a hundredth of a millimetre, where that is less; whole numbers keep their digits."""
+    text, behind = replace(load_exercise("planar-in-numbers"), unit=unit).about(-metres).split()
+    shown = metres / {"m": 1, "cm": 0.01, "mm": 0.001}[behind]
+    assert behind == unit
+    assert float(text) == pytest.approx(-shown, rel=0.005 + 1e-9)
+    assert len(text.lstrip("-0.").replace(".", "")) <= max(3, len(str(int(shown))))
 
 
 @given(st.floats(-math.pi, math.pi), st.floats(-math.pi, math.pi))
@@ -547,7 +575,7 @@ HOSTILE = {
 }
 
 
-@pytest.mark.parametrize(("name", "index_of_kind"), some([*product(HOSTILE, range(10))], 3))
+@pytest.mark.parametrize(("name", "index_of_kind"), some([*product(HOSTILE, range(10))], 7))
 def test_hostile_texts_end_at_a_cap(name: str, index_of_kind: int) -> None:
     """For one part of each kind, with a message, and without a control character on the way out."""
     exercise, part = one_of_each_kind()[index_of_kind]

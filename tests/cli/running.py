@@ -23,7 +23,8 @@ import pytest
 from dhcli.cli import app
 from dhcli.cli.main import main
 
-app.load = cache(app.load)  # typer takes long to make a command, and changes none that it has made
+# typer takes long to make a command, and changes none that it has made
+app.build, app.load = cache(app.build), cache(app.load)
 
 STREAMS = ("stdin", "stdout", "stderr")
 PIPES = dict.fromkeys(STREAMS, subprocess.PIPE)

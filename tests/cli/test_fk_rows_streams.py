@@ -1,4 +1,4 @@
-"""`dhcli fk --in` and its streams: pipes that break, disks that fill up, Ctrl-C, terminals, and memory."""
+"""`dhcli fk --rows` and its streams: pipes that break, disks that fill up, Ctrl-C, terminals, and memory."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def puma(rows: int) -> np.ndarray:
 @POSIX
 def test_a_reader_that_goes_away_ends_the_work_in_silence(process: Run) -> None:
     """The rows never end; the exit code is that of the work."""
-    words = "fk scara --in - --as position"
+    words = "fk scara --rows - --as position"
     done = process(f'yes 0.1,0.2,0.3 | {{ "$0" -m dhcli {words}; echo $? >code; }} | head -2; cat code')
     head, row, code = done.out.split()
     assert (head, code) == ("p_x,p_y,p_z", "0")
@@ -45,7 +45,7 @@ def test_a_reader_that_goes_away_ends_the_work_in_silence(process: Run) -> None:
 def test_a_reader_of_bytes_that_goes_away_is_no_error(process: Run, tmp_path: Path) -> None:
     """As one of text is not."""
     np.save(tmp_path / "q.npy", puma(20_000))
-    words = "fk puma560 --in q.npy --format npy"
+    words = "fk puma560 --rows q.npy --format npy"
     done = process(f'"$0" -m dhcli {words} | true; echo "${{PIPESTATUS[0]}}"')
     assert (done.out, done.err) == ("0\n", "")
 
@@ -53,7 +53,7 @@ def test_a_reader_of_bytes_that_goes_away_is_no_error(process: Run, tmp_path: Pa
 @POSIX
 def test_rows_show_as_they_come(tmp_path: Path) -> None:
     """A pose is there before the next row is typed; Ctrl-C then ends with 130."""
-    with start(tmp_path, "fk", "scara", "--in", "-", "--as", "position", **PIPES) as running:
+    with start(tmp_path, "fk", "scara", "--rows", "-", "--as", "position", **PIPES) as running:
         assert running.stdin is not None
         assert running.stdout is not None
         for _ in range(2):
@@ -101,7 +101,7 @@ def test_a_signal_leaves_nothing_that_looks_complete(
     if there_before:
         target.write_text("old")
     rows = io.BufferedReader(Stopped(b"0.1,0.2,0.3\n" * 9, getattr(signal, name)))
-    done = dhcli("fk", "scara", "--in", "-", "-o", target.name, "--overwrite", stdin=rows)
+    done = dhcli("fk", "scara", "--rows", "-", "-o", target.name, "--overwrite", stdin=rows)
     assert (done.code, done.out, done.err.strip()) == (code, "", "")
     assert [path.read_text() for path in tmp_path.iterdir()] == (["old"] if there_before else [])
 
@@ -112,7 +112,7 @@ def test_a_process_that_waits_for_rows_can_be_stopped(tmp_path: Path, name: str,
     """By a signal from outside, and it cleans up."""
     target = tmp_path / "poses.csv"
     target.write_text("old")
-    with start(tmp_path, "fk", "scara", "--in", "-", "-o", target.name, "--overwrite", **PIPES) as running:
+    with start(tmp_path, "fk", "scara", "--rows", "-", "-o", target.name, "--overwrite", **PIPES) as running:
         assert running.stdin is not None
         running.stdin.write("0.1,0.2,0.3\n")
         running.stdin.flush()
@@ -132,7 +132,7 @@ def test_a_process_that_waits_for_rows_can_be_stopped(tmp_path: Path, name: str,
 def test_a_full_disk_is_told(dhcli: Run, tmp_path: Path, format_: str) -> None:
     """On stdout, and for a file."""
     (tmp_path / "q.csv").write_text(GOOD)
-    words = ("fk", "scara", "--in", "q.csv", "--format", format_)
+    words = ("fk", "scara", "--rows", "q.csv", "--format", format_)
     with open("/dev/full", "w", encoding="utf-8") as full:  # noqa: PTH123  what a shell does
         done = dhcli(*words, stdout=full)
     assert done.code == 2
@@ -151,7 +151,7 @@ def test_a_disk_that_fills_up_leaves_no_file(dhcli: Run, monkeypatch: pytest.Mon
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr(os, "fsync", fail)
-    done = dhcli("fk", "scara", "--in", "q.csv", "-o", "p.npy")
+    done = dhcli("fk", "scara", "--rows", "q.csv", "-o", "p.npy")
     assert done.code == 2
     assert "p.npy: cannot be written: the disk is full" in done.err
     assert os.listdir() == ["q.csv"]
@@ -163,7 +163,7 @@ from dhcli.cli.main import main
 for ending, *counts in [("csv", 8_000, 40_000), ("jsonl", 8_000, 40_000), ("npy", 30_000, 150_000)]:
     if not os.fork():
         for count in counts:
-            main(["fk", "scara", "--in", f"{count}.{ending}", "-o", f"p.{ending}", "--overwrite"])
+            main(["fk", "scara", "--rows", f"{count}.{ending}", "-o", f"p.{ending}", "--overwrite"])
             status = open("/proc/self/status").read()
             print(status.partition("VmHWM:")[2].split()[0], flush=True)
         os._exit(0)
@@ -202,7 +202,7 @@ def test_a_terminal_sees_a_bar_while_rows_go_to_a_file(tmp_path: Path, monkeypat
     """And what was done; the bar is gone then."""
     monkeypatch.setattr("dhcli.render.text.progress._OFTEN", 0)
     np.save(tmp_path / "q.npy", puma(500))
-    with Terminal(tmp_path, "fk", "puma560", "--in", "q.npy", "-o", "p.csv") as terminal:
+    with Terminal(tmp_path, "fk", "puma560", "--rows", "q.npy", "-o", "p.csv") as terminal:
         terminal.until(r"500 rows")
         terminal.until(r"wrote p\.csv: 500 rows")
         assert terminal.end() == 0
@@ -211,6 +211,6 @@ def test_a_terminal_sees_a_bar_while_rows_go_to_a_file(tmp_path: Path, monkeypat
 def test_a_terminal_is_spared_bytes(tmp_path: Path) -> None:
     """It is told what to do instead."""
     np.save(tmp_path / "q.npy", puma(1))
-    with Terminal(tmp_path, "fk", "puma560", "--in", "q.npy", "--format", "npy") as terminal:
+    with Terminal(tmp_path, "fk", "puma560", "--rows", "q.npy", "--format", "npy") as terminal:
         terminal.until("npy is not for a terminal")
         assert terminal.end() == 2

@@ -11,12 +11,23 @@ ROOT = Path(__file__).parents[2]
 
 
 def test_a_urdf_stands_where_a_robot_does() -> None:
-    """With a tip; what was taken for round is a warning."""
+    """With a tip."""
     done = run("fk", str(ROOT / ARM), "--tip", "tool0", "--q", "0,0,0", "--as", "position")
     assert done.code == 0
     assert "p_z = 0.3" in done.out
-    assert "taken for multiples of 15°: 3 of 12 angles" in done.err
-    assert "rounded" not in run("fk", str(ROOT / ARM), "--tip", "tool0", "--q", "0,0,0", "--as-typed").err
+
+
+def test_what_was_taken_for_round_is_told_where_the_robot_is_shown(tmp_path: Path) -> None:
+    """And with each result only where a result shows it."""
+    told = "taken for multiples of 15°: 3 of 12 angles"
+    near, far = str(ROOT / ARM), tmp_path / "far.urdf"
+    far.write_text((ROOT / ARM).read_text("utf-8").replace("1.5708 ", "1.571 "), "utf-8")
+    for name, is_seen in ((near, False), (str(far), True)):
+        assert told in run("show", name, "--tip", "tool0").err
+        assert told in run("describe", name, "--tip", "tool0").err
+        assert (told in run("fk", name, "--tip", "tool0", "--q", "0,0,0").err) is is_seen
+        assert (told in run("jacobian", name, "--tip", "tool0", "--q", "0,0,0").err) is is_seen
+        assert told not in run("show", name, "--tip", "tool0", "--as-typed").err
 
 
 def test_a_urdf_becomes_a_table_and_a_table_a_urdf(tmp_path: Path) -> None:
@@ -54,12 +65,12 @@ def test_every_command_about_a_robot_takes_the_links_of_a_urdf(tmp_path: Path) -
     rows = tmp_path / "q.csv"
     rows.write_text("theta1,theta2,d3\n0.1,0.2,0.3\n", "utf-8")
     poses = tmp_path / "p.csv"
-    pose = run("fk", str(ROOT / ARM), "--tip", "tool0", "--in", str(rows), "-o", str(poses))
+    pose = run("fk", str(ROOT / ARM), "--tip", "tool0", "--rows", str(rows), "-o", str(poses))
     assert pose.code == 0, pose.err
     for words in (
         ("show",),
         ("ik", "--q", "0.1,0.2,0.3"),
-        ("ik", "--in", str(poses)),
+        ("ik", "--rows", str(poses)),
         ("jacobian", "--symbolic"),
         ("jacobian", "--rows", str(rows)),
         ("rates", "--q", "0.1,0.2,0.3", "--rates", "1,0,0"),

@@ -126,3 +126,19 @@ def test_points_in_round_brackets_are_shown_in_square_ones(tmp_path: Path) -> No
     lines = lines.replace("], D", "]\n  D").replace("], E", "]\n  E").replace("}", "")
     (found,) = findings(tmp_path, lines)
     assert (found.message, found.hint) == ("A: should be a list, is a text", "write [0, 0]")
+
+
+def test_a_decimal_comma_in_a_point_is_told(tmp_path: Path) -> None:
+    """Also where three numbers in the plane would be taken for a point above it."""
+    (found,) = findings(tmp_path, CLEAN.replace("A: [0, 0]", "A: [0,0, 0]"))
+    assert found.message == "A: a number has a decimal comma, which ends a value here"
+    assert found.hint == "write [0.0, 0]"
+
+
+def test_links_without_brackets_are_shown_with_them(tmp_path: Path) -> None:
+    """A blank separates names, and nothing else follows."""
+    text = "format: 1\ntitle: T\nsource: S\nspace: planar\njoints:\n"
+    (found,) = findings(tmp_path, f"{text}  - {{type: R, links: crank rod}}\n  - {{type: R, links: [crank, rod]}}\n")
+    assert (found.message, found.hint) == ("links: should be a list, is a text", "write [crank, rod]")
+    (found,) = findings(tmp_path, f"{text}  - {{type: R, links: crank}}\n  - {{type: R, links: [crank, rod]}}\n")
+    assert (found.message, found.hint) == ("links: should be a list, is a text", "write [ground, crank]")

@@ -56,7 +56,7 @@ def _help_of(*words: str) -> list[str]:
 def mistakes_page() -> str:
     """Every mistake that dhcli knows, by name."""
     from dhcli.checking.diagnosis.mistakes import EVERY
-    from dhcli.checking.frames.slips import MISTAKES
+    from dhcli.checking.frames.slips import IN_FRAMES
     from dhcli.checking.motion.mistakes import IN_COLUMNS
 
     lines = [
@@ -88,7 +88,7 @@ def mistakes_page() -> str:
         "| name | what has happened |",
         "|---|---|",
     ]
-    lines += [f"| `{one.id}` | {_words(one.words)} |" for one in MISTAKES]
+    lines += [f"| `{one.id}` | {_words(one.words)} |" for one in IN_FRAMES]
     return "\n".join([*lines, ""])
 
 
@@ -132,7 +132,7 @@ _FRAMES = (("{before}", "i-1"), ("{other}", "i-1 or i+1"))
 
 
 def _words(text: str) -> str:
-    for name, shown in (("{where}", "i"), ("{row}", "i"), ("{entry}", "i"), ("{term}", "..."), ("{k}", "i"), *_FRAMES):
+    for name, shown in (("{where}", "i"), ("{row}", "i"), ("{entry}", "i"), ("{term}", "..."), *_FRAMES):
         text = text.replace(name, shown)
     return text.replace("|", "\\|")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from decimal import ROUND_DOWN, ROUND_HALF_EVEN, Decimal, localcontext
 from fractions import Fraction
 
@@ -12,7 +13,7 @@ from hypothesis import strategies as st
 from dhcli.notation.parser import parse
 from dhcli.notation.products import parse_factors
 from dhcli.notation.quantity import to_angle
-from dhcli.notation.quarters import right_angle_of, with_right_angles
+from dhcli.notation.quarters import Slight, right_angle_of, with_right_angles
 from dhcli.notation.writer import write_angle
 
 PI = Decimal("3.14159265358979323846264338327950288")
@@ -104,3 +105,14 @@ def test_small_angles_in_radians_are_decimals(text: str) -> None:
     """With all digits of a float; as a fraction nobody could read them."""
     assert write_angle(to_angle(parse(f"{text} rad"), bare="refuse")) == f"{text} rad"
     assert "/" in write_angle(to_angle(parse("1/3 rad"), bare="refuse"))
+
+
+@pytest.mark.parametrize(
+    ("typed", "is_slight"), [("1.5708", True), ("-3.14159", True), ("1.571", False), ("1.57", False)]
+)
+def test_a_remark_is_slight_where_no_result_shows_the_difference(typed: str, is_slight: bool) -> None:
+    """Four decimals are what results show."""
+    remarks: list[str] = []
+    parse_factors(f"Rot(x, {typed} rad)", remarks=remarks)
+    assert [isinstance(remark, Slight) for remark in remarks] == [is_slight]
+    assert is_slight is (abs(float(typed) - math.radians(round(math.degrees(float(typed)) / 90) * 90)) < 5e-5)

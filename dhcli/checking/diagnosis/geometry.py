@@ -171,7 +171,7 @@ def _told_in_numbers(exercise: Exercise, share: float, names: Sequence[str]) -> 
     """A length of the sheet and the name it has; without a name it has been told already."""
     if not names:
         return ""
-    return f"{exercise.distance(share)} (as much as {' or '.join(names)})"
+    return f"{exercise.about(share)} (as much as {' or '.join(names)})"
 
 
 def _times(times: int, name: str, writing: Joints) -> str:

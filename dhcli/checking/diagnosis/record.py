@@ -1,4 +1,4 @@
-"""The record of a mistake, whatever it is made in: the work for a matrix, the columns of a Jacobian, a single value."""
+"""The record of a mistake, whatever it is made in: the work for a matrix, a Jacobian's columns, a value, a frame."""
 
 from __future__ import annotations
 
@@ -37,10 +37,10 @@ class Mistake(Generic[M]):
     of_values: bool = False
     alone: bool = False
 
-    def slip(self, where: str) -> Slip:
-        """The mistake in its place."""
+    def slip(self, where: str, **others: object) -> Slip:
+        """The mistake in its place; the others are what its words say besides."""
         entry, _, term = where.partition(" ")
-        place = {"where": where, "row": entry.split(",")[0].split(".")[0], "entry": entry, "term": term}
+        place = {"where": where, "row": entry.split(",")[0].split(".")[0], "entry": entry, "term": term, **others}
         return Slip(f"{self.id} {where}".strip(), self.words.format(**place), self.hint.format(**place), self.rank)
 
 

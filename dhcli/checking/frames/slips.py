@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
+from dhcli.checking.diagnosis.record import Catalogue, Mistake
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.frames.reading import TypedFrame
 from dhcli.checking.frames.rules import DH1, FRAME, TASK, X_CELL, Z_CELL, Broken, Rules
 from dhcli.checking.returned import Causes
-from dhcli.checking.tables.reasons import OTHERS
 from dhcli.frozen import frozen
 from dhcli.geometry.vectors import Vector, cross, dot, length, scaled
-from dhcli.kinematics.conventions import NAMES
+from dhcli.kinematics.conventions import NAMES, OTHER
 from dhcli.kinematics.describe.drawn import Frame
 from dhcli.kinematics.describe.linear import moved
 from dhcli.kinematics.describe.process import frames_of
@@ -22,28 +22,21 @@ MOST = 2
 
 
 @frozen
-class Mistake:
-    """A mistake that can be made at one frame.
+class Placing:
+    """A way to place a frame wrongly.
 
     Attributes:
-        id: What exercises call it, before the number of the frame.
-        words: What has happened; {k} is the frame, {before} the one before, {other} the neighbour that x has to meet.
-        hint: Where to look.
-        made: The frame of a student who makes it; None where it cannot be made.
+        frame: The frame of a student who places it so; None where it cannot be.
         fits: Whether it is behind a broken rule.
     """
 
-    id: str
-    words: str
-    hint: str
-    made: Callable[[Rules, Sequence[TypedFrame], int], TypedFrame | None]
+    frame: Callable[[Rules, Sequence[TypedFrame], int], TypedFrame | None]
     fits: Callable[[Rules, Sequence[TypedFrame], Broken], bool]
 
-    def slip(self, rules: Rules, k: int) -> Slip:
-        """The mistake at frame k."""
-        first, other = rules.sketch.first, rules.sketch.other_of(k)
-        names = {"k": first + k, "before": first + k - 1, "other": first + (k if other is None else other)}
-        return Slip(f"{self.id} {first + k}", self.words.format(**names), self.hint.format(**names))
+
+IN_FRAMES: Catalogue[Placing] = Catalogue()
+"""What people do wrong when they place frames, the plainest first; in words `{before}` is the frame before, and
+`{other}` the neighbour that x has to meet."""
 
 
 def causes_of(rules: Rules, typed: Sequence[TypedFrame], broken: Sequence[Broken]) -> Causes:
@@ -52,26 +45,32 @@ def causes_of(rules: Rules, typed: Sequence[TypedFrame], broken: Sequence[Broken
         return ((convention_slip(rules),),)
     found: dict[str, Slip] = {}
     for one in broken:
-        mistake = next((mistake for mistake in MISTAKES if mistake.fits(rules, typed, one)), None)
+        mistake = next((mistake for mistake in IN_FRAMES if mistake.made.fits(rules, typed, one)), None)
         if mistake is None:
             return ()
-        slip = mistake.slip(rules, one.frame)
+        slip = _slip(mistake, rules, one.frame)
         found[slip.name] = slip
     return (tuple(found.values()),) if 0 < len(found) <= MOST else ()
 
 
 def every_slip(rules: Rules, right: Sequence[TypedFrame]) -> Iterator[tuple[Slip, tuple[TypedFrame, ...]]]:
     """Every mistake that breaks a rule, with the frames of a student who makes it in right ones."""
-    other = tuple(map(as_typed, frames_of(rules.sketch.walked, OTHERS[rules.sketch.convention])))
+    other = tuple(map(as_typed, frames_of(rules.sketch.walked, OTHER[rules.sketch.convention])))
     if rules.broken(other) and is_of_other(rules, other):
         yield convention_slip(rules), other
     for k in range(len(right)):
-        for mistake in MISTAKES:
-            made = mistake.made(rules, right, k)
+        for mistake in IN_FRAMES:
+            made = mistake.made.frame(rules, right, k)
             frames = (*right[:k], made, *right[k + 1 :]) if made is not None else ()
-            slip = mistake.slip(rules, k)
+            slip = _slip(mistake, rules, k)
             if frames and ((slip,),) == causes_of(rules, frames, rules.broken(frames)):
                 yield slip, frames
+
+
+def _slip(mistake: Mistake[Placing], rules: Rules, k: int) -> Slip:
+    """The mistake at frame k."""
+    first, other = rules.sketch.first, rules.sketch.other_of(k)
+    return mistake.slip(str(first + k), before=first + k - 1, other=first + (k if other is None else other))
 
 
 def as_typed(frame: Frame) -> TypedFrame:
@@ -82,15 +81,27 @@ def as_typed(frame: Frame) -> TypedFrame:
 def is_of_other(rules: Rules, typed: Sequence[TypedFrame]) -> bool:
     """Whether frames keep the rules of the other convention; with one joint nearly all do."""
     sketch = rules.sketch
-    free = replace(sketch, convention=OTHERS[sketch.convention], stated=frozenset())
+    free = replace(sketch, convention=OTHER[sketch.convention], stated=frozenset())
     return len(sketch.axes) > 1 and not replace(rules, sketch=free).broken(typed)
 
 
 def convention_slip(rules: Rules) -> Slip:
     """The frames are those of the other convention."""
     asked = rules.sketch.convention
-    words = f"the frames are those of {NAMES[OTHERS[asked]]}, and {asked.value} was asked"
+    words = f"the frames are those of {NAMES[OTHER[asked]]}, and {asked.value} was asked"
     return Slip("convention", words, "which joint turns about z of frame 1, joint 1 or joint 2?")
+
+
+_NEAR = 0.999
+"""Cosine of directions that count as the same when a slip is looked for."""
+
+
+def _parallel(one: Vector, other: Vector) -> bool:
+    return abs(dot(one, other)) > _NEAR
+
+
+def _square(one: Vector, other: Vector) -> bool:
+    return length(cross(one, other)) > _NEAR
 
 
 def _on_neighbour(rules: Rules, typed: Sequence[TypedFrame], k: int) -> TypedFrame | None:
@@ -120,6 +131,29 @@ def _neighbour(rules: Rules, k: int) -> int | None:
     return None
 
 
+IN_FRAMES(
+    "frame-on-joint",
+    "frame {where} stands on the axis of a neighbouring joint",
+    "on which joint axis does frame {where} stand?",
+)(Placing(_on_neighbour, _is_on_neighbour))
+
+
+def _kept_z(_rules: Rules, typed: Sequence[TypedFrame], k: int) -> TypedFrame | None:
+    return as_typed(replace(typed[k].frame, z=typed[k - 1].frame.z)) if k else None
+
+
+def _is_kept_z(_rules: Rules, typed: Sequence[TypedFrame], one: Broken) -> bool:
+    k = one.frame
+    return one.rule == DH1 and one.cell == Z_CELL and k > 0 and dot(typed[k].frame.z, typed[k - 1].frame.z) > _NEAR
+
+
+IN_FRAMES(
+    "z-kept",
+    "z{where} was taken over from frame {before}, where the next joint axis points another way",
+    "which joint turns about z{where}, and where does its axis point?",
+)(Placing(_kept_z, _is_kept_z))
+
+
 def _against(_rules: Rules, typed: Sequence[TypedFrame], k: int) -> TypedFrame:
     frame = typed[k].frame
     return as_typed(replace(frame, z=scaled(frame.z, -1)))
@@ -128,6 +162,29 @@ def _against(_rules: Rules, typed: Sequence[TypedFrame], k: int) -> TypedFrame:
 def _is_against(rules: Rules, typed: Sequence[TypedFrame], one: Broken) -> bool:
     right = rules.sketch.frames[one.frame].z
     return one.rule == TASK and one.cell == Z_CELL and dot(typed[one.frame].frame.z, right) < -_NEAR
+
+
+IN_FRAMES(
+    "z-sign",
+    "z{where} points the other way, against the positive sense",
+    "the right-hand rule: which way does z{where} point?",
+)(Placing(_against, _is_against))
+
+
+def _left(_rules: Rules, typed: Sequence[TypedFrame], k: int) -> TypedFrame:
+    return replace(as_typed(typed[k].frame), y=scaled(typed[k].frame.y, -1))
+
+
+def _is_left(_rules: Rules, typed: Sequence[TypedFrame], one: Broken) -> bool:
+    y = typed[one.frame].y
+    return one.rule == FRAME and y is not None and dot(y, typed[one.frame].frame.y) < -_NEAR
+
+
+IN_FRAMES(
+    "left-handed",
+    "y{where} points the other way, so that frame {where} is left-handed",
+    "curl the fingers of the right hand from x{where} to y{where}: the thumb is z{where}",
+)(Placing(_left, _is_left))
 
 
 def _along_other(rules: Rules, typed: Sequence[TypedFrame], k: int) -> TypedFrame | None:
@@ -142,6 +199,13 @@ def _is_along_other(rules: Rules, typed: Sequence[TypedFrame], one: Broken) -> b
     return one.cell == X_CELL and other is not None and _parallel(typed[one.frame].frame.x, typed[other].frame.z)
 
 
+IN_FRAMES(
+    "x-along-z",
+    "x{where} lies along the z axis of frame {other}, to which it has to be perpendicular",
+    "which two z axes is x{where} perpendicular to?",
+)(Placing(_along_other, _is_along_other))
+
+
 def _kept_x(_rules: Rules, typed: Sequence[TypedFrame], k: int) -> TypedFrame | None:
     return as_typed(replace(typed[k].frame, x=typed[k - 1].frame.x)) if k else None
 
@@ -149,6 +213,13 @@ def _kept_x(_rules: Rules, typed: Sequence[TypedFrame], k: int) -> TypedFrame | 
 def _is_kept_x(_rules: Rules, typed: Sequence[TypedFrame], one: Broken) -> bool:
     k = one.frame
     return one.cell == X_CELL and k > 0 and dot(typed[k].frame.x, typed[k - 1].frame.x) > _NEAR
+
+
+IN_FRAMES(
+    "x-kept",
+    "x{where} was taken over from frame {before}, where the common normal points another way",
+    "which two z axes is x{where} perpendicular to?",
+)(Placing(_kept_x, _is_kept_x))
 
 
 def _kept_origin(_rules: Rules, typed: Sequence[TypedFrame], k: int) -> TypedFrame | None:
@@ -161,85 +232,8 @@ def _is_kept_origin(rules: Rules, typed: Sequence[TypedFrame], one: Broken) -> b
     return is_origin and k > 0 and not rules.amount(moved(typed[k].frame.origin, typed[k - 1].frame.origin, -1))
 
 
-def _kept_z(_rules: Rules, typed: Sequence[TypedFrame], k: int) -> TypedFrame | None:
-    return as_typed(replace(typed[k].frame, z=typed[k - 1].frame.z)) if k else None
-
-
-def _is_kept_z(_rules: Rules, typed: Sequence[TypedFrame], one: Broken) -> bool:
-    k = one.frame
-    return one.rule == DH1 and one.cell == Z_CELL and k > 0 and dot(typed[k].frame.z, typed[k - 1].frame.z) > _NEAR
-
-
-def _left(_rules: Rules, typed: Sequence[TypedFrame], k: int) -> TypedFrame:
-    return replace(as_typed(typed[k].frame), y=scaled(typed[k].frame.y, -1))
-
-
-def _is_left(_rules: Rules, typed: Sequence[TypedFrame], one: Broken) -> bool:
-    y = typed[one.frame].y
-    return one.rule == FRAME and y is not None and dot(y, typed[one.frame].frame.y) < -_NEAR
-
-
-_NEAR = 0.999
-"""Cosine of directions that count as the same when a slip is looked for."""
-
-
-def _parallel(one: Vector, other: Vector) -> bool:
-    return abs(dot(one, other)) > _NEAR
-
-
-def _square(one: Vector, other: Vector) -> bool:
-    return length(cross(one, other)) > _NEAR
-
-
-MISTAKES = (
-    Mistake(
-        "frame-on-joint",
-        "frame {k} stands on the axis of a neighbouring joint",
-        "on which joint axis does frame {k} stand?",
-        _on_neighbour,
-        _is_on_neighbour,
-    ),
-    Mistake(
-        "z-kept",
-        "z{k} was taken over from frame {before}, where the next joint axis points another way",
-        "which joint turns about z{k}, and where does its axis point?",
-        _kept_z,
-        _is_kept_z,
-    ),
-    Mistake(
-        "z-sign",
-        "z{k} points the other way, against the positive sense",
-        "the right-hand rule: which way does z{k} point?",
-        _against,
-        _is_against,
-    ),
-    Mistake(
-        "left-handed",
-        "y{k} points the other way, so that frame {k} is left-handed",
-        "curl the fingers of the right hand from x{k} to y{k}: the thumb is z{k}",
-        _left,
-        _is_left,
-    ),
-    Mistake(
-        "x-along-z",
-        "x{k} lies along the z axis of frame {other}, to which it has to be perpendicular",
-        "which two z axes is x{k} perpendicular to?",
-        _along_other,
-        _is_along_other,
-    ),
-    Mistake(
-        "x-kept",
-        "x{k} was taken over from frame {before}, where the common normal points another way",
-        "which two z axes is x{k} perpendicular to?",
-        _kept_x,
-        _is_kept_x,
-    ),
-    Mistake(
-        "origin-kept",
-        "o{k} was left at the origin of frame {before}",
-        "where do x{k} and z{k} meet?",
-        _kept_origin,
-        _is_kept_origin,
-    ),
-)
-"""What people do wrong when they place frames, the plainest first."""
+IN_FRAMES(
+    "origin-kept",
+    "o{where} was left at the origin of frame {before}",
+    "where do x{where} and z{where} meet?",
+)(Placing(_kept_origin, _is_kept_origin))

@@ -10,10 +10,10 @@ from dhcli.checking.entries import Entries, Entry, entries_text, values_of
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.grid import Grid, scale_of, typed
 from dhcli.checking.motion.reading import as_read
-from dhcli.checking.other_unit import InUnit, is_clear, judged_in, plainly_in
+from dhcli.checking.other_unit import InUnit, judged_in, plainly_in
 from dhcli.checking.symbolic import about_equal, counterexample, has_decimals, same
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals, without_unit
-from dhcli.checking.verdicts import AGREEING, CellMark, Mark, Verdict, worst
+from dhcli.checking.verdicts import AGREEING, APPROXIMATE, TO_DIGITS, TOO_FEW, UNSOLVED, CellMark, Mark, Verdict, worst
 from dhcli.notation.writer import write
 
 
@@ -29,7 +29,8 @@ def mark_grid(case: Case, right: Grid, entries: Entries) -> Mark:
     mark = _marked(exercise, entries, mark_numbers(case, exercise, right, entries))
     other = None if mark.verdict in AGREEING else in_other_unit(case, right, entries, mark.cells)
     if other is None:
-        return mark
+        is_short = mark.verdict in UNSOLVED and _agrees_to_digits(exercise, right, entries, mark.cells)
+        return replace(mark, remarks=(TOO_FEW,)) if is_short else mark
     power = {power for row in right.powers for power in row if power}
     return judged_in(other, mark, exercise.unit, {2: "²", 3: "³"}.get(power.pop(), "") if len(power) == 1 else "")
 
@@ -39,11 +40,7 @@ def _marked(exercise: Exercise, entries: Entries, cells: tuple[CellMark, ...]) -
     verdict = worst(cell.verdict for cell in cells)
     remarks: tuple[str, ...] = ()
     if verdict is Verdict.ROUNDED:
-        remarks = (
-            "right to the digits typed; more digits are wanted"
-            if exercise.numeric
-            else "right approximately: decimals stand where an exact value is",
-        )
+        remarks = (TO_DIGITS if exercise.numeric else APPROXIMATE,)
     width = len(entries[0])
     reading = _in_rows([write(entry.typed, "short", exercise.writing) for row in entries for entry in row], width)
     expected = _in_rows([cell.expected for cell in cells], width)
@@ -68,11 +65,22 @@ def in_other_unit(case: Case, right: Grid, entries: Entries, own: Sequence[CellM
         return InUnit(unit, moved, _marked(exercise, entries, mark_numbers(case, there, right, moved)))
 
     lengths = [
-        (value, limit) if power and is_clear(value, limit) else (0.0, 0.0)
+        (value, limit) if power else (0.0, 0.0)
         for row in zip(truth, limits, right.powers, strict=True)
         for value, limit, power in zip(*row, strict=True)
     ]
     return plainly_in(map(read, exercise.other_units), own, lengths)
+
+
+def _agrees_to_digits(exercise: Exercise, right: Grid, entries: Entries, cells: Sequence[CellMark]) -> bool:
+    """Whether every entry that is not right is the right one to the digits typed, however few."""
+    truth = right.numbers(exercise)
+
+    def agrees(r: int, c: int) -> bool:
+        number, unit = without_unit(entries[r][c].typed, scale_of(exercise, right.powers[r][c]))
+        return is_rounding_of(number, truth[r][c] / unit, least=0)
+
+    return all(cell.verdict in AGREEING or (cell.counted and agrees(cell.row, cell.column)) for cell in cells)
 
 
 def _in_rows(cells: Sequence[str], width: int) -> str:

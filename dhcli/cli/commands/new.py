@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from dhcli.cli.app import Group, One
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.spreading import But, spread
-from dhcli.cli.shell.written import Overwrite, file_to_write
+from dhcli.cli.shell.written import Overwrite, output_option
+
+if TYPE_CHECKING:
+    from dhcli.files.foreign.importing import Wish
 
 _OF_URDF = But(without=("robot", "q", "deg", "pose", "set_", "motors", "from_", "to", "tool"))
 """Of the options about a robot those that choose a chain of a URDF."""
@@ -52,24 +55,15 @@ def robot(
         typer.Option(
             "--from",
             metavar="FILE",
-            help="Make it of this: a DH table as CSV or Markdown, a listing with SerialLink or DHRobot, kinematics "
-            "YAML of ROS, or a URDF; - is stdin.",
+            help="Make it of this: a DH table as CSV, Markdown or LaTeX, a listing with SerialLink or DHRobot, "
+            "kinematics YAML of ROS, or a URDF; - is stdin.",
         ),
     ] = None,
     units: Annotated[
         str | None, typer.Option(metavar="UNIT", help="Unit of the bare lengths in FILE: m, mm, cm or in.")
     ] = None,
     chain: Annotated[Chosen, _OF_URDF],
-    output: Annotated[
-        str | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="FILE",
-            callback=file_to_write,
-            help="Where to write; ./robots/NAME.yaml by default, - is stdout.",
-        ),
-    ] = None,
+    output: Annotated[str | None, output_option("Where to write; ./robots/NAME.yaml by default, - is stdout.")] = None,
     overwrite: Overwrite = False,
 ) -> None:
     """Write a commented robot file that loads, for you to change, or one that is made of another description."""
@@ -79,13 +73,12 @@ def robot(
     from dhcli.files.yaml.templates import check_name, robot_template
 
     if from_ is not None:
-        from dhcli.cli.shell.imported import imported
         from dhcli.files.foreign.importing import Wish
 
         name = name or ("stdin" if from_ == "-" else Path(from_).stem)
         check_name(name)
         wish = Wish(name, convention, joints or "", units or "", chain.base, chain.tip, chain.as_typed)
-        text = imported(from_, wish)
+        text = _imported(from_, wish)
     elif name is None:
         raise DhcliError("a new robot wants a name", "write dhcli new robot my-arm, or --from FILE")
     elif units or chain.more:
@@ -99,19 +92,37 @@ def robot(
         tell(f"note: it hides the robot {name} that dhcli brings along, which is {OWN}{name} now")
 
 
+def _imported(path: str, wish: Wish) -> str:
+    """The text of the robot file that another file makes.
+
+    Args:
+        path: The file; `-` is standard input.
+        wish: What a person says about it.
+
+    Raises:
+        FileError: It is of no form that is read, or something is wrong in it.
+        UnknownNameError: There is no such convention, unit or link.
+    """
+    from dhcli.cli.shell.console import tell
+    from dhcli.files.foreign.importing import import_robot
+    from dhcli.files.reading import read_text, source_of
+    from dhcli.files.yaml.robots import XML_LIMIT
+    from dhcli.files.yaml.writing import robot_text
+
+    robot = import_robot(read_text(path, limit=XML_LIMIT), source_of(path), wish)
+    for remark in robot.remarks:
+        tell(f"note: {remark}")
+    if lacking := [name for name, value in robot.parameters.items() if value is None]:
+        tell(f"note: {', '.join(lacking)} {'has' if len(lacking) == 1 else 'have'} no value yet, see parameters:")
+    return robot_text(robot)
+
+
 @new.command(cls=One, epilog="dhcli new exercise my-course/first --robot planar-2r")
 def exercise(
     name: Annotated[str, typer.Argument(metavar="COURSE/NAME", help="Id of the exercise.")],
     robot_name: Annotated[str, typer.Option("--robot", metavar="ROBOT", help="The robot it asks about.")],
     output: Annotated[
-        str | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="FILE",
-            callback=file_to_write,
-            help="Where to write; ./exercises/COURSE/NAME.yaml by default, - is stdout.",
-        ),
+        str | None, output_option("Where to write; ./exercises/COURSE/NAME.yaml by default, - is stdout.")
     ] = None,
     overwrite: Overwrite = False,
 ) -> None:
@@ -137,14 +148,7 @@ def linkage(
     name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the linkage.")],
     form: Annotated[str, typer.Option(metavar="FORM", help="joints, bars, chain or loop.")] = "joints",
     output: Annotated[
-        str | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="FILE",
-            callback=file_to_write,
-            help="Where to write; ./robots/linkages/NAME.yaml by default, - is stdout.",
-        ),
+        str | None, output_option("Where to write; ./robots/linkages/NAME.yaml by default, - is stdout.")
     ] = None,
     overwrite: Overwrite = False,
 ) -> None:

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.written import Overwrite, file_to_write
+from dhcli.cli.shell.written import Overwrite, output_option
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -29,17 +29,7 @@ def schema(
         str,
         typer.Argument(metavar="KIND", help="robot, exercise or linkage.", autocompletion=complete_kind),
     ],
-    output: Annotated[
-        str | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="FILE",
-            callback=file_to_write,
-            help="Write to a file; - is stdout.",
-            rich_help_panel="Output",
-        ),
-    ] = None,
+    output: Annotated[str | None, output_option("Write to a file; - is stdout.")] = None,
     overwrite: Overwrite = False,
 ) -> None:
     """Print the JSON schema of a kind of file, for an editor that completes keys and marks mistakes."""

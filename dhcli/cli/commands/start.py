@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from dhcli.cli.shell.options import ExerciseName, Variant
-from dhcli.cli.shell.written import file_to_write
+from dhcli.cli.shell.written import Overwrite, output_option
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -33,16 +33,9 @@ def start(
         ),
     ] = None,
     output: Annotated[
-        str | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="FILE",
-            callback=file_to_write,
-            help="Where to write it; - is stdout. With --class the folder of the sheets.",
-        ),
+        str | None, output_option("Where to write it; - is stdout. With --class the folder of the sheets.")
     ] = None,
-    overwrite: Annotated[bool, typer.Option("--overwrite", help="Overwrite the file.")] = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Write an answer sheet for an exercise, or one for each student of a class."""
     from dhcli.checking.figures import subject
@@ -70,7 +63,7 @@ def start(
         return
     check_ending(output, "yaml")
     named = shlex.quote(name) if name.endswith((".yaml", ".yml")) else exercise.id
-    path = output or f"{exercise.id.split('/')[-1]}.sheet.yaml"
+    path = output or f"{exercise.file_name}.sheet.yaml"
     write_file(path, text, overwrite=overwrite, instead="it may hold answers: -o OTHER.yaml writes another; ")
     tell(f"wrote {path}")
     if pictured := subject(exercise):

@@ -11,7 +11,7 @@ import typer
 
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.options import EndPoint, Jobs, complete_joint, workers
-from dhcli.cli.shell.written import Digits, Overwrite, file_to_write
+from dhcli.cli.shell.written import Digits, Overwrite, output_option
 from dhcli.frozen import frozen
 
 if TYPE_CHECKING:
@@ -63,15 +63,7 @@ class Asked:
     digits: Digits = None
     jobs: Jobs = None
     output: Annotated[
-        str | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="FILE",
-            callback=file_to_write,
-            help="Write all points to a file, joint values and position a row: .csv, .jsonl or .npy.",
-            rich_help_panel="Output",
-        ),
+        str | None, output_option("Write all points to a file, joint values and position a row: .csv, .jsonl or .npy.")
     ] = None
     draw: Annotated[
         str | None,

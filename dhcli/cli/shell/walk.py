@@ -146,7 +146,7 @@ class _Walk:
                 return Step.ON
             marked = self.judged(part, answer)
             write_out(render("marks", replace(marked, why=self.names, walked=True), Look(paper=self.paper)))
-            if marked.verdict not in _TRY_AGAIN:
+            if marked.verdict not in _TRY_AGAIN and not marked.parts[0].mark.is_too_short:
                 return Step.ON
             is_tried = True
             self.write(AGAIN, "dim")

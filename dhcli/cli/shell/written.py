@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 import typer
 
 from dhcli.cli.shell.spreading import But
+from dhcli.errors import joined
 from dhcli.frozen import frozen
 
 if TYPE_CHECKING:
@@ -20,12 +22,13 @@ _PANEL = "Output"
 
 def format_option(*names: str) -> Any:  # noqa: ANN401  what typer makes of an option
     """`--format` for the formats that a command has, with completion."""
-    listed = f"{', '.join(names[:-1])} or {names[-1]}"
 
     def complete(incomplete: str) -> list[str]:
         return [name for name in names if name.startswith(incomplete)]
 
-    return typer.Option("--format", metavar="NAME", help=f"{listed}.", rich_help_panel=_PANEL, autocompletion=complete)
+    return typer.Option(
+        "--format", metavar="NAME", help=f"{joined(names, 'or')}.", rich_help_panel=_PANEL, autocompletion=complete
+    )
 
 
 def file_to_write(path: str | None) -> str | None:
@@ -42,16 +45,15 @@ def file_to_write(path: str | None) -> str | None:
     raise FileError(Problem(EMPTY, Place("-o"), "name a file"))
 
 
-def output_option(*suffixes: str) -> Any:  # noqa: ANN401  the same
-    """`-o` for the files that a command writes."""
-    return typer.Option(
-        "-o",
-        "--output",
-        metavar="FILE",
-        callback=lambda path: None if path == "-" else file_to_write(path),  # standard output, as - is standard input
-        help=f"Write to a file; {' '.join(suffixes)} choose the format.",
-        rich_help_panel=_PANEL,
-    )
+def output_option(told: str, callback: Callable[[str | None], str | None] = file_to_write) -> Any:  # noqa: ANN401
+    """`-o` for what a command writes, and what the help tells of it."""
+    return typer.Option("-o", "--output", metavar="FILE", callback=callback, help=told, rich_help_panel=_PANEL)
+
+
+def result_option(*suffixes: str) -> Any:  # noqa: ANN401  the same
+    """`-o` for the files that a result is written to; - is standard output, where it goes by itself."""
+    told = f"Write to a file; {' '.join(suffixes)} choose the format."
+    return output_option(told, lambda path: None if path == "-" else file_to_write(path))
 
 
 Overwrite: TypeAlias = Annotated[bool, typer.Option("--overwrite", help="Overwrite the file.", rich_help_panel=_PANEL)]
@@ -87,7 +89,7 @@ class Written:
         typer.Option(
             "--code",
             metavar="LANGUAGE",
-            help=f"A function that runs: {', '.join(LANGUAGES[:-1])} or {LANGUAGES[-1]}.",
+            help=f"A function that runs: {joined(LANGUAGES, 'or')}.",
             rich_help_panel=_PANEL,
             autocompletion=complete_language,
         ),
@@ -107,7 +109,7 @@ class Written:
         ),
     ] = None
     digits: Digits = None
-    output: Annotated[str | None, output_option(".json", ".tex", ".m", ".py", ".csv", ".txt")] = None
+    output: Annotated[str | None, result_option(".json", ".tex", ".m", ".py", ".csv", ".txt")] = None
     overwrite: Overwrite = False
 
     @property
@@ -159,6 +161,6 @@ def in_formats(formats: tuple[str, ...], suffixes: tuple[str, ...], *others: str
     """
     own = {
         "format": Annotated[str | None, format_option(*formats)],
-        "output": Annotated[str | None, output_option(*suffixes)],
+        "output": Annotated[str | None, result_option(*suffixes)],
     }
     return But(without=tuple(name for name in (*_CODE, "style", "digits") if name not in others), instead=own)

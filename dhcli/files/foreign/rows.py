@@ -231,7 +231,7 @@ class Reader:
             typed = in_unit(self.parsed(cell), cell.unit)
             said: list[str] = []
             found = to_angle(with_right_angles(typed, said), bare="refuse")
-            self.remarks += [f"{column}: {remark}" for remark in said]
+            self.remarks += [type(remark)(f"{column}: {remark}") for remark in said]
         except DimensionError as error:
             hint = error.hint or "write 90°"
             if "has no unit" in error.message:

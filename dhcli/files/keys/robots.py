@@ -6,6 +6,7 @@ from dhcli.files.keys.shapes import (
     ANGLE,
     FLAG,
     HEAD,
+    MOVES,
     NOTES,
     PAIR,
     ROW,
@@ -48,9 +49,9 @@ UNITS = ("m", "cm", "mm", "in")
 _BESIDE_LINKS = (
     Key("units", "the unit of bare lengths; metres by default", Scalar(UNITS), example="units: mm"),
     Key("first", "number of the first link, 1 by default", WHOLE, example="first: 4"),
-    Key("base", "moves in front of the first link", TEXT, example="base: Trans(0, 0, 0.5)"),
-    Key("tool", "moves behind the last link", TEXT, example="tool: Trans(0, 0, 0.1) Rot(z, 45°)"),
-    Key("tools", "other tools by name", Named(TEXT), example='tools: {gripper: "Trans(0, 0, 0.2)"}'),
+    Key("base", "moves in front of the first link", MOVES, example="base: Trans(0, 0, 0.5)"),
+    Key("tool", "moves behind the last link", MOVES, example="tool: Trans(0, 0, 0.1) Rot(z, 45°)"),
+    Key("tools", "other tools by name", Named(MOVES), example='tools: {gripper: "Trans(0, 0, 0.2)"}'),
 )
 BETA = Key("beta", "of a calibrated row: a turn about y besides", ANGLE, example="beta: 0.1°")
 TABLE = (
@@ -71,7 +72,7 @@ PRODUCTS = (
     Key(
         "links",
         "a product of moves for each link",
-        Many(TEXT, 1),
+        Many(MOVES, 1),
         is_required=True,
         example='links: ["Trans(0, 0, l1) * Rot(z, theta1)"]',
     ),
@@ -93,7 +94,7 @@ AXES = (
         is_required=True,
         example="axes: [{theta1: +z, through: (0, 0, 0)}]",
     ),
-    Key("end", "moves from the base to the end frame in the pose drawn", TEXT, example="end: Trans(0.7, 0, 0)"),
+    Key("end", "moves from the base to the end frame in the pose drawn", MOVES, example="end: Trans(0.7, 0, 0)"),
 )
 """A robot with `convention: axes`."""
 
@@ -110,7 +111,7 @@ SCREWS = (
     Key(
         "home",
         "moves from the base to the end frame with the joints at 0",
-        TEXT,
+        MOVES,
         is_required=True,
         example="home: Trans(0.7, 0, 0)",
     ),

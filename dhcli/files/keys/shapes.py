@@ -102,12 +102,16 @@ def _said(key: Key) -> str:
 
 TEXT = Scalar()
 FLAG = Scalar(("true", "false"))
+FLAGS = {"true": True, "yes": True, "false": False, "no": False}
+"""How they are written, `yes` and `no` by some."""
 NUMBER = Scalar()
 WHOLE = Scalar(pattern="[0-9]{1,3}")
 ANGLE = Scalar(is_angle=True)
 TEXTS = Many(TEXT)
 PAIR = Many(TEXT, 2, 2)
 COORDINATES = Many(TEXT, 2, 3)
+MOVES = Either((TEXT, Many(TEXTS, 3, 4)))
+"""A product of moves; a matrix alone may be a list of its rows."""
 
 HEAD = (
     Key("title", "what it is called", TEXT, is_required=True),

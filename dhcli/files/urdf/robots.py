@@ -18,6 +18,7 @@ from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.validity import InvalidRobotError
 from dhcli.notation import turns
 from dhcli.notation.angle import Angle
+from dhcli.notation.quarters import remark_on
 from dhcli.notation.tree import Expr, Symbol, add, decimal, multiply
 from dhcli.regex import regex
 
@@ -233,10 +234,8 @@ class _Builder:
         tip = sum(shift * (sum(self.lengths[behind:]) + self.slides()) for shift, behind in self.shifts)
         moved = f"{tip * 1e6:.2g} µm" if tip < 1e-3 else f"{tip * 1e3:.2g} mm"  # noqa: PLR2004
         count = f"{len(rounded)} of {plural(self.meaning.angles, 'angle')}"
-        yield (
-            f"taken for multiples of 15°: {count} ({text} -> {degrees}°); the tip moves by at most {moved}; "
-            "--as-typed keeps them"
-        )
+        said = f"taken for multiples of 15°: {count} ({text} -> {degrees}°); the tip moves by at most {moved}"
+        yield remark_on(f"{said}; --as-typed keeps them", tip)
 
     def slides(self) -> float:
         """How far all sliding joints together reach."""

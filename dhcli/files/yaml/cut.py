@@ -11,7 +11,7 @@ from dhcli.notation.brackets import STEPS
 from dhcli.regex import regex
 from dhcli.safe import yaml_scalar
 
-_ENDS_IN_NUMBER = regex(r"[0-9]+,\Z")
+_ENDS_IN_NUMBER = regex(r"(?<![.\w])[0-9]+,\Z")
 
 
 def is_piece(text: str, place: Place) -> bool:
@@ -66,8 +66,10 @@ def tell(problems: list[Problem], before: str, text: str, place: Place, key: str
 
 def with_decimal_comma(text: str, place: Place) -> str:
     """The number `0,3` of which YAML has made a value and a key that has none; empty if the key is no such."""
+    if not text[:1].isdecimal() or not is_piece(text, place):
+        return ""
     before = _ENDS_IN_NUMBER.search(place.text[: (place.column or 1) - 1])
-    return before[0] + text if text[:1].isdecimal() and before is not None and is_piece(text, place) else ""
+    return before[0] + text if before else ""
 
 
 def _told(text: str, place: Place, key: str) -> Problem:

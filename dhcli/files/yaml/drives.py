@@ -101,7 +101,7 @@ def _limits(listed: Fields, key: str, unit: str) -> Limits:
     node = listed.get(key)
     if isinstance(node, PlacedScalar) and not node.text and not node.quoted:
         return None
-    scalars = [listed.problems.scalar(item, key) for item in listed.sequence(key, "[-60°, 76°]")]
+    scalars = [listed.problems.scalar(item, key) for item in listed.sequence(key, "[-60°, 76°]", count=2)]
     is_angle = any(scalar is not None and has_unit_of_angle(scalar) for scalar in scalars)
     known = (scalar for scalar in scalars if scalar is not None)
     values = [read_value(listed.problems, scalar, key, is_angle=is_angle, unit=unit) for scalar in known]

@@ -13,7 +13,7 @@ from dhcli.errors import DhcliError, FileError, Place, Problem
 from dhcli.files.yaml.cut import is_piece, tell
 from dhcli.files.yaml.heads import FORMAT, check_format, check_kind
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
-from dhcli.files.yaml.slips import entries_of, hint_for_brackets, items_of, node_kind, with_equals
+from dhcli.files.yaml.slips import entries_of, hint_for_brackets, items_of, node_kind, with_decimal_points, with_equals
 from dhcli.files.yaml.unknown import OWN, hint_for, meant
 from dhcli.frozen import frozen
 
@@ -142,15 +142,30 @@ class Problems:
             entries[owner] = (key, value)
         return entries
 
-    def sequence(self, node: PlacedNode, what: str, example: str = "") -> tuple[PlacedNode, ...]:
-        """The items of a node that should be a list; none if it is not."""
+    def sequence(
+        self, node: PlacedNode, what: str, example: str = "", *, count: int = 0, are_names: bool = False
+    ) -> tuple[PlacedNode, ...]:
+        """The items of a node that should be a list; none if it is not.
+
+        Args:
+            node: The node.
+            what: Its key.
+            example: What to write where it is no list.
+            count: How many items there should be, where that is known: what has so many is what is meant.
+            are_names: Whether they are names, which blanks may separate.
+        """
         if isinstance(node, PlacedSequence):
-            return node.items
-        items, shown = items_of(node)
+            if not (items := with_decimal_points(node, count)):
+                return node.items
+            message = f"{what}: a number has a decimal comma, which ends a value here"
+            self.add(node.place, message, f"write [{', '.join(item.text for item in items)}]")
+            return items
+        items, shown = items_of(node, count, are_names=are_names)
+        is_it = not example or len(items) == count or (are_names and len(items) > 1)
         if not any(problem.place == node.place for problem in self.found):  # such as the comma that has cut it
-            hint = f"write {example or shown or LISTED}"
+            hint = f"write {(shown if is_it else '') or example or LISTED}"
             self.add(node.place, f"{what}: should be a list, is {node_kind(node)}", hint)
-        return () if example else items
+        return items if is_it else ()
 
     def scalar(self, node: PlacedNode, what: str) -> PlacedScalar | None:
         """A node that should be a text which is not empty; None if it is not."""
@@ -197,10 +212,12 @@ class Fields:
         found = self.scalar(key)
         return default if found is None else found.text
 
-    def sequence(self, key: str, example: str = "") -> tuple[PlacedNode, ...]:
-        """The items of the list under a key."""
+    def sequence(
+        self, key: str, example: str = "", *, count: int = 0, are_names: bool = False
+    ) -> tuple[PlacedNode, ...]:
+        """The items of the list under a key, as for `Problems.sequence`."""
         node = self.get(key)
-        return () if node is None else self.problems.sequence(node, key, example)
+        return () if node is None else self.problems.sequence(node, key, example, count=count, are_names=are_names)
 
     def mapping(
         self,

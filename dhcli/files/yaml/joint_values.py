@@ -72,8 +72,8 @@ class JointValues:
     def _list(self, fields: Fields, key: str, turns: Sequence[bool | None], example: str) -> tuple[Value, ...] | None:
         """Values of joints, 0 where one cannot be read; None where there is no list."""
         before = len(fields.problems.found)
-        nodes = fields.sequence(key, example)
-        if len(fields.problems.found) > before:
+        nodes = fields.sequence(key, example, count=len(turns))
+        if not nodes and len(fields.problems.found) > before:
             return None
         values: list[Value] = []
         for i, node in enumerate(nodes):

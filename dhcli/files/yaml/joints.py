@@ -86,8 +86,10 @@ class JointReader:
     def joint(self, node: PlacedNode, number: str) -> list[Joint]:
         """A joint as a mapping; a pin through k links is k - 1 joints."""
         fields = self.problems.mapping(node, "joints", known=names(JOINT), required=required(JOINT))
-        links = [s.text for item in fields.sequence("links") if (s := self.problems.scalar(item, "links"))]
-        if "links" in fields and len(links) < 2:  # noqa: PLR2004  two links
+        before = len(self.problems.found)
+        items = fields.sequence("links", "[ground, crank]", are_names=True)
+        links = [s.text for item in items if (s := self.problems.scalar(item, "links"))]
+        if "links" in fields and len(links) < 2 and len(self.problems.found) == before:  # noqa: PLR2004  two links
             self.problems.add(
                 fields.place_of("links"), "links: a joint ties at least two links", "write [ground, crank]"
             )
@@ -139,7 +141,7 @@ class JointReader:
                 "say space: planar, or list joints",
             )
         for bar in bars.entries:
-            for item in bars.sequence(bar):
+            for item in bars.sequence(bar, are_names=True):
                 if scalar := self.problems.scalar(item, bar):
                     pins.setdefault(scalar.text, []).append(bar)
                     places.setdefault(scalar.text, scalar.place)
@@ -172,7 +174,7 @@ class JointReader:
             return None
         found = [
             self.numbers.number(s, "radii")
-            for item in fields.sequence("radii")
+            for item in fields.sequence("radii", count=2)
             if (s := self.problems.scalar(item, "radii"))
         ]
         if len(found) != 2:  # noqa: PLR2004  one for each wheel

@@ -160,7 +160,7 @@ class _Builder:
 
     def document(self, events: Iterator[yaml.Event]) -> PlacedNode:
         """Build the tree of the only document."""
-        from yaml import events as kinds
+        import yaml.events as kinds
 
         next(events)
         root = None if isinstance(next(events), kinds.StreamEndEvent) else self.node(next(events), events, 1)
@@ -173,7 +173,7 @@ class _Builder:
 
     def node(self, event: yaml.Event, events: Iterator[yaml.Event], depth: int) -> PlacedNode:
         """Build what begins with an event."""
-        from yaml import events as kinds
+        import yaml.events as kinds
 
         place = self.place(event.start_mark)
         self.nodes += 1
@@ -184,7 +184,7 @@ class _Builder:
         if isinstance(event, kinds.NodeEvent) and event.anchor is not None:
             sign, word = ("*", "alias") if isinstance(event, kinds.AliasEvent) else ("&", "anchor")
             self.refuse(place, f"'{sign}{event.anchor}' is a YAML {word}", "write the value itself; text needs quotes")
-        if isinstance(event, kinds.ScalarEvent | kinds.CollectionStartEvent) and event.tag is not None:
+        if isinstance(event, (kinds.ScalarEvent, kinds.CollectionStartEvent)) and event.tag is not None:
             self.refuse(place, "'!' begins a YAML tag", "leave it out; text needs quotes")
         if isinstance(event, kinds.MappingStartEvent):
             return self.mapping(place, events, depth)
@@ -194,7 +194,7 @@ class _Builder:
 
     def sequence(self, place: Place, events: Iterator[yaml.Event], depth: int, *, is_flow: bool) -> PlacedSequence:
         """Build a list; one in brackets may have cut a text."""
-        from yaml import events as kinds
+        import yaml.events as kinds
 
         items: list[PlacedNode] = []
         while not isinstance(event := next(events), kinds.SequenceEndEvent):
@@ -214,7 +214,7 @@ class _Builder:
 
     def mapping(self, place: Place, events: Iterator[yaml.Event], depth: int) -> PlacedMapping:
         """Build a mapping; every key is a text and stands once."""
-        from yaml import events as kinds
+        import yaml.events as kinds
 
         entries: dict[str, tuple[PlacedScalar, PlacedNode]] = {}
         owner, last = None, None
@@ -234,11 +234,13 @@ class _Builder:
             elif number := "" if key.quoted else with_decimal_comma(key.text, key.place):
                 message = f"{number} has a decimal comma, which ends a value here"
                 self.refuse(key.place, message, f"write {number.replace(',', '.')}")
+                self.node(next(events), events, depth + 1)
+                continue
             elif key.text in entries:
                 first = entries[key.text][0].place
                 self.refuse(key.place, f"{key.text}: stands twice, first on line {first.line}", "keep one")
             value = self.node(next(events), events, depth + 1)
-            if isinstance(key, PlacedScalar) and (key.quoted or not with_decimal_comma(key.text, key.place)):
+            if isinstance(key, PlacedScalar):
                 owner, last = entries.setdefault(key.text, (key, value))
         return PlacedMapping(tuple(entries.values()), place)
 

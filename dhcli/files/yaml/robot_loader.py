@@ -15,14 +15,13 @@ from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.joint_values import JointValues
 from dhcli.files.yaml.parameters import Parameters
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
-from dhcli.files.yaml.typed import read_flag, read_value, read_whole
+from dhcli.files.yaml.typed import read_flag, read_moves, read_value, read_whole
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, calibrated_moves, convention_hint, moves_of
 from dhcli.kinematics.description import Description
 from dhcli.kinematics.moves import Chain, every_angle, names, read_chain, sharpened
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.validity import Finding, InvalidRobotError, findings
 from dhcli.notation.angle import Angle
-from dhcli.notation.factors import AXES
 from dhcli.notation.names import canonical
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Expr
@@ -48,7 +47,7 @@ class Loader:
         self.name = name
         self.fields = self.problems.document(root, known=names_of(keys), required=required(keys))
         self.places: dict[tuple[str | int, ...], Place] = {}
-        self.variables = tuple(self.names("variables", self.fields.sequence("variables")))
+        self.variables = tuple(self.names("variables", self.fields.sequence("variables", are_names=True)))
         self.parameters = self.fields.mapping("parameters", example="{a1: 300 mm, a2: 0.2 m}")
         if not self.parameters.entries:  # a list of names, which is told, leaves their values open
             listed = [item for item in _items(self.fields.get("parameters")) if isinstance(item, PlacedScalar)]
@@ -154,8 +153,8 @@ class Loader:
         found: dict[str, Chain] = {}
         for key in fields.entries:
             self.places["tools", key] = fields.place_of(key)
-            scalar = fields.scalar(key)
-            found[key] = () if scalar is None else self.moves(scalar, key)
+            scalar = read_moves(self.problems, fields.entries[key][1], key)
+            found[key] = () if scalar is None else self.moves(scalar)
         return found
 
     def read_convention(self) -> Convention:
@@ -201,9 +200,8 @@ class Loader:
         """A row, or a product."""
         self.places["links", index] = node.place
         if self.convention is Convention.PRODUCT:
-            scalar = self.problems.scalar(node, "links")
-            moves = self.moves(scalar, "links") if scalar else ()
-            return Link(number, moves, None, scalar.text if scalar else "")
+            scalar = read_moves(self.problems, node, "links")
+            return Link(number, self.moves(scalar), None, scalar.text) if scalar else Link(number, ())
         if not isinstance(node, PlacedMapping):
             self.problems.add(
                 node.place,
@@ -241,7 +239,7 @@ class Loader:
             or empty
         )
 
-    def moves(self, scalar: PlacedScalar, key: str) -> Chain:
+    def moves(self, scalar: PlacedScalar) -> Chain:
         """A product of moves; none where it cannot be read."""
         try:
             chain = read_chain(scalar.text, self.scope, scalar.place_of(0), self.remarks, self.unit)
@@ -253,16 +251,11 @@ class Loader:
     def chain(self, key: str) -> Chain:
         """The product under a key."""
         node = self.fields.get(key)
-        lengths = [item.text for item in _items(node) if isinstance(item, PlacedScalar)]
-        if node is not None and len(lengths) == len(AXES):
-            hint = f"write Trans({', '.join(lengths)})"
-            self.problems.add(node.place, f"{key}: should be moves, is a list of lengths", hint)
-            return ()
-        scalar = self.fields.scalar(key)
+        scalar = None if node is None else read_moves(self.problems, node, key)
         if scalar is None:
             return ()
         self.places[(key,)] = scalar.place
-        return self.moves(scalar, key)
+        return self.moves(scalar)
 
     def is_angle(self, key: str, angles: frozenset[str]) -> bool | None:
         """Whether a parameter is an angle, by where it stands; None if it stands nowhere."""

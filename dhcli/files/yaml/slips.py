@@ -7,14 +7,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from itertools import accumulate
+from itertools import accumulate, pairwise
 from typing import TypeAlias
 
 from dhcli.files.yaml.cut import is_piece
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.notation.brackets import OPENING, STEPS, split
+from dhcli.regex import regex
 from dhcli.safe import yaml_scalar
 
+_WORD = regex(r"[^\s]+")
+_PAIR = regex(r"±\s*(?P<both>[^-+±,]+)|(?P<low>[^,]+?)\s*(?:\.\.+|…| to )\s*(?P<high>[^,]+)")
+"""Two ends of a range, `±170°` or `-90°..90°`."""
+_WHOLE = regex(r"[-+]?[0-9]+")
 Entry: TypeAlias = tuple[PlacedScalar, PlacedNode]
 
 LONGEST_SHOWN = 100
@@ -65,22 +70,65 @@ def entries_of(node: PlacedNode) -> tuple[tuple[Entry, ...], str]:
     return tuple(found), _shown(texts, "{}")
 
 
-def items_of(node: PlacedNode) -> tuple[tuple[PlacedScalar, ...], str]:
+def items_of(node: PlacedNode, count: int = 0, *, are_names: bool = False) -> tuple[tuple[PlacedScalar, ...], str]:
     """The items of a text that is meant as a list, `theta1, theta2` or `(0, 1)`, and that list as it is written.
+
+    Args:
+        node: The text.
+        count: How many there should be: so many words, `0 90°`, are they.
+        are_names: Whether they are names, which have no blanks: `crank rod`.
 
     Returns:
         Nothing where it is no text of one line. A sentence with commas is one item.
     """
     if not isinstance(node, PlacedScalar) or not node.text.strip() or "\n" in node.text:
         return (), ""
+    if count == 2 and (pair := _PAIR.fullmatch(node.text.strip())):  # noqa: PLR2004  lowest and highest
+        text = pair["both"] or ""
+        ends = (f"-{text}", text) if text else (pair["low"], pair["high"])
+        return tuple(PlacedScalar(end, node.place) for end in ends), _shown(ends, "[]")
     text, start = node.text, 0
     if text.startswith("(") and text.endswith(")"):
         text, start = text[1:-1], 1
     pieces = [(start + at + len(piece) - len(piece.lstrip()), piece.strip()) for at, piece in split(text)]
-    if any(not piece or " " in piece for _, piece in pieces) and not start:
+    words = [(start + word.start(), word[0]) for word in _WORD.finditer(text)] if len(pieces) == 1 else []
+    if len(words) > 1 and (are_names or len(words) == count == sum(map(_has_digit, words))):
+        pieces = words
+    if any(not piece or " " in piece for _, piece in pieces) and not start and len(pieces) != count:
         return (node,), _shown([yaml_scalar(node.text) if "," in node.text else node.text], "[]")
     items = tuple(PlacedScalar(piece, node.place_of(at)) for at, piece in pieces)
     return items, _shown((item.text for item in items), "[]")
+
+
+def with_decimal_points(node: PlacedSequence, count: int) -> tuple[PlacedScalar, ...]:
+    """The items of a list in which decimal commas have cut numbers in two, `[-0,5, 1]`: so many as there should be.
+
+    Returns:
+        Nothing where that is not what it is, or where nobody can say which commas they are, as in `[1,2,3]` for two.
+    """
+    items = [item for item in node.items if isinstance(item, PlacedScalar) and not item.quoted]
+    if not 0 < count < len(items) or len(items) < len(node.items):
+        return ()
+    is_cut = [_is_cut(*pair) for pair in pairwise(items)] + [False]
+    found: list[PlacedScalar] = []
+    while items:
+        item, *items = items
+        if is_cut.pop(0):
+            if is_cut.pop(0) and not is_cut[0]:  # a comma on either side
+                return ()
+            item = replace(item, text=f"{item.text}.{items.pop(0).text}")
+        found.append(item)
+    return tuple(found) if len(found) == count else ()
+
+
+def _has_digit(word: tuple[int, str]) -> bool:
+    return any(map(str.isdecimal, word[1]))
+
+
+def _is_cut(item: PlacedScalar, following: PlacedScalar) -> bool:
+    """Whether two items are a number with a decimal comma."""
+    are_beside = replace(item.place, column=(item.place.column or 0) + len(item.text) + 1) == following.place
+    return are_beside and _WHOLE.fullmatch(item.text) is not None and following.text[:1].isdecimal()
 
 
 def _split(scalar: PlacedScalar) -> Entry | None:

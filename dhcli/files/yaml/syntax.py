@@ -24,6 +24,12 @@ _IN_LIST_OR_MAPPING = regex(r"-(?:\s|$)|[^\n]{0,200}:(?:\s|$)")
 _GLUED = regex(r"([\w-]+):(\S.*)")
 _EQUALS = regex(r"([\w-]+)\s*=\s*(\S.*)")
 _NEXT_KEY = regex(r",\s*[\w-]+:\s")
+_ENDED = regex(r"['\"]\s*$")
+_QUOTES = ("'", '"')
+_OPENING = {quote: regex(rf"(?:(?<=[\[{{,\s])|^)([\w-]+:\s+)?{quote}") for quote in _QUOTES}
+_CLOSING = {quote: regex(rf"{quote}\s*(?:#.*)?$") for quote in _QUOTES}
+_CLOSING_IN_BRACKETS = {quote: regex(rf"{quote}\s*(?:[,}}\]]|$)") for quote in _QUOTES}
+"""Where a text in quotes begins, and where it ends; its key."""
 _SEPARATED = "entries are separated by ', '; a value with a comma, a colon or a quote in it needs quotes around it"
 
 DEEPEST = 40
@@ -86,7 +92,10 @@ def explain_syntax(error: yaml.MarkedYAMLError, lines: Sequence[str], place: Cal
         return Problem("a tab indents this line; YAML wants spaces", place_of_tab, "two spaces a level are usual")
     if "mapping values are not allowed" in said:
         return _explain_colon(here, lines)
-    if "expected ',' or" in said:
+    is_in_brackets = "expected ',' or" in said
+    if _ENDED.search(_split(here)[0]) and (quoted := _explain_quotes(here, is_in_brackets=is_in_brackets)):
+        return quoted
+    if is_in_brackets:
         return _explain_bracket(here, start)
     if context == "while parsing a block mapping" or "document start" in said or _split(here)[1].startswith(":"):
         return _explain_leftover(here, start, lines)
@@ -154,6 +163,21 @@ def _explain_bracket(here: Place, start: Place) -> Problem:
     return Problem(message, start, braces or f"'{closing}' is missing, or a ',' between two entries")
 
 
+def _explain_quotes(here: Place, *, is_in_brackets: bool) -> Problem | None:
+    """A quote that ends a text before its end, as the apostrophe in 'l'avant'; None if it is not that."""
+    before, rest = _split(here)
+    quote = before.rstrip()[-1]
+    starts = [found for found in _OPENING[quote].finditer(before) if found.end() < len(before.rstrip())]
+    end = (_CLOSING_IN_BRACKETS if is_in_brackets else _CLOSING)[quote].search(rest)
+    if not rest or rest.startswith(_QUOTES) or (is_in_brackets and not end):
+        return None
+    hint = "in single quotes an apostrophe is written twice: ''" if quote == "'" else "use single quotes around it"
+    if starts and end:
+        text = before[starts[-1].end() :] + rest[: end.start()]
+        hint = f"write {starts[-1][1] or ''}{yaml_scalar(text)}"
+    return Problem("text follows the closing quote", here, hint)
+
+
 def _in_quotes(here: Place) -> str:
     """The value in which brackets or quotes have led astray, in the quotes that it needs; nothing if it is not that."""
     before, rest = _split(here)
@@ -178,9 +202,7 @@ def _explain_leftover(here: Place, start: Place, lines: Sequence[str]) -> Proble
     above = next((text for text in reversed(lines[: (here.line or 1) - 1]) if text.strip()), "")
     column = len(above) - len(above.lstrip()) + 1
     message, hint = "this line does not line up with the lines above it", "keys of one mapping start in one column"
-    if before.rstrip().endswith(("'", '"')):
-        message, hint = "text follows the closing quote", "in single quotes an apostrophe is written twice: ''"
-    elif rest.startswith(("}", "]")):
+    if rest.startswith(("}", "]")):
         message, hint = f"this '{rest[0]}' closes nothing", "delete it, or open it"
     elif rest.startswith(":"):
         message, hint = "a key is missing before ':'", ""

@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from dhcli.errors import NotationError
+from dhcli.files.keys.shapes import FLAGS
 from dhcli.files.yaml.fields import Fields, Problems
-from dhcli.files.yaml.placed import PlacedScalar
+from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence
+from dhcli.files.yaml.slips import node_kind
 from dhcli.notation.angle import Angle
+from dhcli.notation.factors import AXES
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_plain_length, with_unit
 from dhcli.notation.quarters import with_right_angles
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
+from dhcli.regex import regex
 
 MOST_DIGITS = 3
-FLAGS = {"true": True, "yes": True, "false": False, "no": False}
+_OTHER_UNIT = regex(r".*[\d)]\s*(?P<unit>(?:[cm]?m|rad|°|deg)\s*/\s*s|k?N\s*[*·]?\s*[cm]?m|k?N|k?g|s|rpm|%)\s*")
+"""A number in a unit of something else."""
+_MOVING = "velocities, rates and forces are numbers in ask:, in m/s, rad/s, N and N m"
+_MOVES = "Trans(0, 0, 0.1) Rot(z, 90°)"
 NOTHING = Scope()
 """A scope without names, for values that must be constants."""
 
@@ -45,7 +54,11 @@ def read_value(  # noqa: PLR0913  what may be said of a value
             return to_plain_length(with_unit(expr, unit))
         return to_angle(expr if remarks is None else taken_exactly(expr, key, remarks), bare="refuse")
     except NotationError as error:
-        problems.take(error)
+        if other := _OTHER_UNIT.fullmatch(scalar.text):
+            wanted = "an angle" if is_angle else "a length"
+            problems.add(scalar.place, f"{key}: is in {other['unit']}, {wanted} is wanted", _MOVING)
+        else:
+            problems.take(error)
     except DimensionError as error:
         problems.add(scalar.place, f"{key}: {error.message}", error.hint)
     return None
@@ -55,8 +68,34 @@ def taken_exactly(expr: Expr, key: str, remarks: list[str]) -> Expr:
     """An angle with right angles in the place of their decimals in radians, and a remark on each."""
     found: list[str] = []
     expr = with_right_angles(expr, found)
-    remarks += [f"{key}: {remark} (exact: false keeps it)" for remark in found]
+    remarks += [type(remark)(f"{key}: {remark} (exact: false keeps it)") for remark in found]
     return expr
+
+
+def read_moves(problems: Problems, node: PlacedNode, key: str) -> PlacedScalar | None:
+    """The text of a product of moves; a matrix alone may be a list of its rows. None if it is neither."""
+    if isinstance(node, PlacedScalar):
+        return problems.scalar(node, key)
+    rows = [_texts(item) for item in node.items] if isinstance(node, PlacedSequence) else []
+    if isinstance(node, PlacedSequence) and rows and all(rows):
+        least = min(map(len, rows))
+        rows = [_texts(PlacedSequence(problems.sequence(item, key, count=least), item.place)) for item in node.items]
+        return PlacedScalar(f"[{', '.join(map(_listed, rows))}]", node.place)
+    shift = _texts(node)
+    hint = f"write Trans({', '.join(shift)})" if len(shift) == len(AXES) else f"write {_MOVES}"
+    problems.add(node.place, f"{key}: should be moves, is {node_kind(node)}", hint)
+    return None
+
+
+def _listed(texts: Sequence[str]) -> str:
+    return f"[{', '.join(texts)}]"
+
+
+def _texts(node: PlacedNode) -> list[str]:
+    """The items of a list of texts; none where it is no such list."""
+    items = node.items if isinstance(node, PlacedSequence) else ()
+    texts = [item.text for item in items if isinstance(item, PlacedScalar) and item.text]
+    return texts if len(texts) == len(items) else []
 
 
 def has_unit_of_angle(scalar: PlacedScalar) -> bool:

@@ -1,4 +1,4 @@
-"""The list of what there is: name, joints, title, origin, one line each."""
+"""The list of what there is: name, joints, title, origin, a row each."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from dhcli.safe import csv_cell
 
 
 def library_table(listed: Sequence[Listed], look: Look) -> str:
-    """A table for each kind."""
+    """A table for each kind, its titles whole."""
     tables = []
     for kind, group in groupby(listed, key=lambda one: one.kind):
         listed_here = list(group)
@@ -28,7 +28,7 @@ def library_table(listed: Sequence[Listed], look: Look) -> str:
         heads = [kind.value, *joints, *solved, "title", *origin]
         cells = [{**_cells(one, look), kind.value: _name(one, look)} for one in listed_here]
         rows = [[row[head] for head in heads] for row in cells]
-        tables.append(table_text(heads, rows, look.paper, cut="title"))
+        tables.append(table_text(heads, rows, look.paper, fold="title"))
     return "\n".join(tables)
 
 

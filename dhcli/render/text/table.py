@@ -1,4 +1,4 @@
-"""Tables: as wide as they need to be, folded nowhere."""
+"""Tables: as wide as they need to be; one column may be folded to fit a window."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from dhcli.render.paper import Paper
 
 _GAP = 3
 _LEAST = 12
-"""Columns between two cells, and the fewest that a cell is cut to."""
+"""Columns between two cells, and the fewest that a cell is folded to."""
 _INKED = regex(r"((?:\x1b\[[0-9;]*m)*)(.*?)((?:\x1b\[0m)*)", re.DOTALL)
 _INK = regex(r"\x1b\[[0-9;]*m")
 
@@ -22,25 +22,24 @@ class Inked(str):
     __slots__ = ()
 
 
-def table_text(heads: Sequence[str], rows: Iterable[Sequence[str]], paper: Paper, *, cut: str = "") -> str:
+def table_text(heads: Sequence[str], rows: Iterable[Sequence[str]], paper: Paper, *, fold: str = "") -> str:
     """A table with a line under its heads.
 
     Args:
         heads: The heads of the columns.
         rows: The cells.
         paper: What it is written on.
-        cut: Head of the column that may be cut, with an ellipsis, to fit a terminal; none by default.
+        fold: Head of the column whose cells take more lines where the table would be wider than a terminal; none by
+            default.
     """
     cells = [[cell if isinstance(cell, Inked) else Inked(paper.spell(cell)) for cell in row] for row in rows]
     names = [paper.spell(head) for head in heads]
     widths = [max(map(columns_of, column)) for column in zip(names, *cells, strict=True)]
-    if cut and paper.terminal:
-        at = heads.index(cut)
-        room = paper.width if paper.unicode else paper.width - 2  # where ASCII writes an ellipsis as three dots
+    if fold and paper.terminal:
+        at = heads.index(fold)
         taken = sum(widths) - widths[at] + _GAP * (len(widths) - 1) + 2
-        widths[at] = min(widths[at], max(room - taken, _LEAST))
-        for row in cells:
-            row[at] = _cut(row[at], widths[at])
+        widths[at] = min(widths[at], max(paper.width - taken, _LEAST))
+        cells = [line for row in cells for line in _folded(row, at, widths[at])]
     rule = ("─" if paper.unicode else "-") * (sum(widths) + _GAP * (len(widths) - 1))
     lines = [_line([paper.ink(name, "bold") for name in names], widths), f" {paper.ink(rule, 'dim')}"]
     return "\n".join([*lines, *(_line(row, widths) for row in cells), ""])
@@ -60,12 +59,30 @@ def _line(cells: Sequence[str], widths: Sequence[int]) -> str:
     return f" {(' ' * _GAP).join(padded)}".rstrip()
 
 
-def _cut(cell: Inked, width: int) -> Inked:
-    """A cell that is no wider, in its colours."""
+def _folded(row: Sequence[Inked], at: int, width: int) -> list[list[Inked]]:
+    """A row as lines: the further ones hold what the cell at a place has beyond a width, in its colours."""
+    cell = row[at]
     if columns_of(cell) <= width:
-        return cell
+        return [list(row)]
     found = _INKED.fullmatch(cell)
     before, text, after = found.groups() if found else ("", cell, "")
-    while columns_of(text) > width - 1:
-        text = text[:-1]
-    return Inked(f"{before}{text}…{after}")
+    lines = [Inked(f"{before}{line}{after}") for line in _lines(text, width)]
+    rows = [row, *([[Inked()] * len(row)] * (len(lines) - 1))]
+    return [[*row[:at], line, *row[at + 1 :]] for row, line in zip(rows, lines, strict=True)]
+
+
+def _lines(text: str, width: int) -> list[str]:
+    """A text on lines no wider, between words where it can be; wide letters count as the two columns they take."""
+    lines = [""]
+    for word in text.split():
+        joined = f"{lines[-1]} {word}".lstrip()
+        if columns_of(joined) <= width:
+            lines[-1] = joined
+            continue
+        if lines[-1]:
+            lines.append("")
+        for letter in word:
+            if columns_of(lines[-1] + letter) > width:
+                lines.append("")
+            lines[-1] += letter
+    return lines

@@ -21,6 +21,7 @@ from dhcli.files.yaml.placed import (
     read_yaml,
 )
 from dhcli.files.yaml.syntax import explain_syntax
+from tests.row_by_row import row_by_row
 
 # Pieces that mean something to YAML, so that random texts get past its first checks.
 PIECES = (
@@ -109,7 +110,7 @@ def scalars(node: PlacedNode) -> Iterator[PlacedScalar]:
         yield from scalars(value)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "spelled",
     [
         "1e-3",
@@ -187,8 +188,8 @@ def test_a_missing_value_is_an_empty_text() -> None:
     assert value_of("title:\n") == PlacedScalar("", value_of("title:\n").place)
 
 
-@pytest.mark.parametrize("line_end", ["\n", "\r\n", "\r"])
-@pytest.mark.parametrize("mark", ["", "\ufeff"])
+@row_by_row("line_end", ["\n", "\r\n", "\r"])
+@row_by_row("mark", ["", "\ufeff"])
 def test_line_ends_and_a_byte_order_mark_change_nothing(line_end: str, mark: str) -> None:
     """Files from Windows read the same."""
     root = read_yaml(mark + "a: 1\nb: 'x\n  y'\n".replace("\n", line_end), "f")
@@ -197,7 +198,7 @@ def test_line_ends_and_a_byte_order_mark_change_nothing(line_end: str, mark: str
     ]
 
 
-@pytest.mark.parametrize("text", ["", "\n\n", "# only a comment\n", "---\n", "\ufeff", " \n"])
+@row_by_row("text", ["", "\n\n", "# only a comment\n", "---\n", "\ufeff", " \n"])
 def test_an_empty_file_is_called_empty(text: str) -> None:
     """Also one with nothing but comments."""
     assert problems_of(text) == ["robot.yaml: is empty"]
@@ -212,7 +213,7 @@ def test_every_duplicate_key_is_reported_with_the_line_of_the_first() -> None:
     ]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "problem"),
     [
         ("a: &x 1", "robot.yaml:1:4: '&x' is a YAML anchor"),
@@ -254,7 +255,7 @@ def test_all_that_is_refused_is_reported_before_a_syntax_error() -> None:
     ]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "place", "message", "hint"),
     [
         ("a:\n\tb: 1\n", "2:1", "a tab indents this line; YAML wants spaces", "two spaces"),
@@ -278,7 +279,14 @@ def test_all_that_is_refused_is_reported_before_a_syntax_error() -> None:
         ("a:\n  b: |\n    1 0 0\n   -1 1 0\n", "4:4", "this line stands further left than the text", "in column 5"),
         ("a: 1\n- b\n", "2:1", "a list entry stands among the keys", "under their key"),
         ("a: - theta1\n", "1:4", "a list cannot begin on the line of its key", "a minus sign has no space after it"),
-        ("a: 'it's'\n", "1:8", "text follows the closing quote", "written twice"),
+        ("a: 'it's'\n", "1:8", "text follows the closing quote", 'write a: "it\'s"'),
+        ("- 'so it's'  # yes\n", "1:10", "text follows the closing quote", 'write "so it\'s"'),
+        ("{a: b, c: 'it's', d: e}\n", "1:15", "text follows the closing quote", 'write c: "it\'s"'),
+        ("['it's', 'x']\n", "1:6", "text follows the closing quote", 'write "it\'s"'),
+        ('["say "a" first", \'x\']\n', "1:8", "text follows the closing quote", "write 'say \"a\" first'"),
+        ('a: "the "end" frame"\n', "1:10", "text follows the closing quote", "write a: 'the \"end\" frame'"),
+        ("a: 'on\n  two lines it's'\n", "2:16", "text follows the closing quote", "written twice"),
+        ("{a: 'x' b: c}\n", "1:9", "',' or '}' should stand here", "separated by ', '"),
         ("a: @x\n", "1:4", "a value cannot begin with '@'", "quotes"),
         ("a: |x|\n", "1:4", "'|' and '>' begin a block of text", "quotes"),
         ("a: [1,,2]\n", "1:7", "a value is missing here", "needs quotes"),
@@ -375,7 +383,7 @@ def test_a_decimal_comma_between_braces_is_told_as_what_it_is() -> None:
     assert [key.text for key, _ in inner.entries][-2:] == ["x", "3"]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "told", "value"),
     [
         ("{b: point (1, 2,3) of pose 0..2, c: 1}", "1:8: b: | write b: ", "point (1, 2,3) of pose 0..2"),
@@ -409,7 +417,7 @@ def test_what_a_comma_has_cut_is_read_as_it_was_meant() -> None:
     assert read_yaml("- f(1\n- 2)\n- 'g(3, 4)'\n- [':(', ':)']\n", "f", is_foreign=True)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "at", "hint"),
     [
         ("a: 1\nb:2\nc: 3\n", "2:1", "a colon and a space stand behind a key: b: 2"),

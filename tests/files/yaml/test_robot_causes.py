@@ -65,8 +65,9 @@ def test_nothing_follows_from_a_table_that_is_missing() -> None:
         ("convention: standard", "convention: classical", "convention: 'classical' is not known", "write standard"),
         ("{a1: 300 mm}", "[a1]", "parameters: should be a mapping, is a list", "write {a1: 300 mm, a2: 0.2 m}"),
         ("300 mm", "300 Meter", "Meter is not a name that is known here", "the unit is written m"),
-        ("[0, 250 mm]", "±250 mm", "d2: should be a list, is a text", "write [0, 100 mm]"),
-        ("[-90°, 90°]", "-90°..90°", "theta4: should be a list, is a text", "write [-90°, 90°]"),
+        ("[0, 250 mm]", "±250 mm", "d2: should be a list, is a text", "write [-250 mm, 250 mm]"),
+        ("[-90°, 90°]", "-80°..90°", "theta4: should be a list, is a text", "write [-80°, 90°]"),
+        ("[-90°, 90°]", "-80° to 90°", "theta4: should be a list, is a text", "write [-80°, 90°]"),
         ("[0, 0.1, 0, 20°]", "0", "home: should be a list, is a text", "write [90°, 100 mm, 90°, 90°]"),
         (
             "[0, 0.1, 0, 20°]",
@@ -74,7 +75,38 @@ def test_nothing_follows_from_a_table_that_is_missing() -> None:
             "home: should be a list, is a mapping",
             "write [0, 0.1, 0, 20°]",
         ),
-        ("poses:", "tool: [0, 0, a1]\nposes:", "tool: should be moves, is a list of lengths", "write Trans(0, 0, a1)"),
+        ("[0, 0.1, 0, 20°]", "0 0.1 0 20°", "home: should be a list, is a text", "write [0, 0.1, 0, 20°]"),
+        (
+            "[0, 0.1, 0, 20°]",
+            "[0, 0,1, 0, 20,5°]",
+            "home: a number has a decimal comma, which ends a value here",
+            "write [0, 0.1, 0, 20.5°]",
+        ),
+        (
+            "[-90°, 90°]",
+            "[-1,5 rad,1,5 rad]",
+            "theta4: a number has a decimal comma, which ends a value here",
+            "write [-1.5 rad, 1.5 rad]",
+        ),
+        (
+            "[theta1, d2, theta3, theta4]",
+            "theta1 d2 theta3 theta4",
+            "variables: should be a list, is a text",
+            "write [theta1, d2, theta3, theta4]",
+        ),
+        (
+            "poses:",
+            "tool: [[1, 0, 0, 0,1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]\nposes:",
+            "tool: a number has a decimal comma, which ends a value here",
+            "write [1, 0, 0, 0.1]",
+        ),
+        (
+            "poses:",
+            "tool: {xyz: [0, 0, 0.1], rpy: [0, 0, 0]}\nposes:",
+            "tool: should be moves, is a mapping",
+            "write Trans(0, 0, 0.1) Rot(z, 90°)",
+        ),
+        ("poses:", "tool: [0, 0, a1]\nposes:", "tool: should be moves, is a list", "write Trans(0, 0, a1)"),
         (
             "poses:",
             "tool: Trans(0, 0, 0,1)\nposes:",
@@ -90,6 +122,24 @@ def test_a_value_in_another_form_is_one_problem_that_shows_the_right_one(
     with pytest.raises(FileError) as caught:
         read_robot(ARM.replace(old, new, 1), "arm", "arm")
     assert [(problem.message, problem.hint) for problem in caught.value.problems] == [(message, hint)]
+
+
+@pytest.mark.parametrize("home", ["[0,0,1,0,20°]", "[0,1, 0, 0.5, 0, 20°, 0]"])
+def test_commas_that_may_separate_are_not_taken_for_decimal_ones(home: str) -> None:
+    """Where nobody can say which of them are, values are counted as they stand."""
+    assert told(("[0, 0.1, 0, 20°]", home))[0].startswith("13: home: ")
+    assert "decimal" not in " ".join(told(("[0, 0.1, 0, 20°]", home)))
+
+
+def test_a_matrix_may_be_a_list_of_its_rows() -> None:
+    """On one line or on several, wherever moves stand; no quotes are needed."""
+    rows = "[[0, -1, 0, a1], [1, 0, 0, 0], [0, 0, 1, 0.1], [0, 0, 0, 1]]"
+    wanted = read_robot(ARM.replace("poses:", f"tool: '{rows}'\nposes:"), "arm", "arm").tool
+    assert wanted
+    below = rows.removeprefix("[").removesuffix("]").replace("], [", "]\n  - [")
+    for spelled in (rows, f"\n  - {below}"):
+        robot = read_robot(ARM.replace("poses:", f"tool: {spelled}\ntools: {{t: {rows}}}\nposes:"), "arm", "arm")
+        assert robot.tool == robot.tools["t"] == wanted
 
 
 def test_joints_are_known_in_every_spelling() -> None:

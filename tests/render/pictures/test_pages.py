@@ -71,7 +71,7 @@ def _asked(browser: WebDriver) -> list[str]:
     return [e["params"]["request"]["url"] for e in events if e["method"] == "Network.requestWillBeSent"]
 
 
-@pytest.mark.parametrize("name", in_turn([*ROBOTS, *LINKAGES], 0, 2))
+@pytest.mark.parametrize("name", in_turn([*ROBOTS, *LINKAGES], 0, 3))
 def test_a_page_names_no_address_but_those_of_namespaces(name: str) -> None:
     """Read as text, with no browser: nothing that could be fetched."""
     text = draw(_linkage(name) if name in LINKAGES else load_robot(name)).page()
@@ -202,7 +202,7 @@ return [boxes.length, n];
 def test_no_label_overlaps_another_in_the_letters_of_a_browser(browser: WebDriver) -> None:
     """By the boxes that Chromium gives them: every robot and linkage, as a figure."""
     browser.get("about:blank")
-    for picture in _pictures():
+    for picture in in_turn([*_pictures()], 0, 3):
         count, overlaps = browser.execute_script(OVERLAPS, picture.svg())
         assert count > 0
         assert overlaps == 0, picture

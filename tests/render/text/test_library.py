@@ -13,15 +13,16 @@ from dhcli.render.text.library import library_table
 
 @pytest.mark.parametrize("unicode", [True, False])
 def test_the_list_fits_eighty_columns(*, unicode: bool) -> None:
-    """Every row is a line; what is the same in all of them gives way."""
+    """What is the same in all rows gives way, and a title goes on below."""
     record("yim/planar-two-links", {"a1": Verdict.RIGHT})
     paper = Paper(80, terminal=True, unicode=unicode)
     table = library_table(catalogue(list(Kind)), Look(paper=paper))
     lines = (table if unicode else in_ascii(table)).splitlines()
     assert max(map(len, lines)) <= 80
     assert not any("built-in" in line for line in lines)
-    [line] = [line for line in lines if "inverse/planar-joints-in-numbers" in line]
-    assert "Planar arm with two link" in line
+    [at] = [at for at, line in enumerate(lines) if "inverse/planar-joints-in-numbers" in line]
+    assert lines[at].endswith("  Planar arm with two links,")
+    assert lines[at + 1].split() == ["joint", "angles", "in", "numbers"]
 
 
 def test_exercises_show_how_many_parts_are_solved() -> None:
