@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
+from itertools import chain, islice
 from pathlib import Path
 from typing import Any
 
@@ -72,13 +73,24 @@ def task_of(name: str) -> TaskName:
     return "position" if derived(name).place_only else "pose"
 
 
-@pytest.mark.parametrize("language", HERE)
-def test_every_solution_comes_back(language: str, tmp_path: Path) -> None:
-    """As many as the engine finds, each of them, and each once; with the robot's own lengths, given or put in."""
+@pytest.fixture(params=HERE, scope="module")
+def given(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[Any]]:
+    """What a language gives for the calls of all tests here, by one start of it."""
+    calls = {what: asked(request.param) for what, asked in ASKED.items()}
+    found = iter(results(request.param, [*chain(*calls.values())], tmp_path_factory.mktemp("code")))
+    return {what: [*islice(found, len(asked))] for what, asked in calls.items()}
+
+
+def every_robot(language: str) -> list[Call]:
+    """A pose that it reaches, with its letters; some with its numbers in their place."""
     poses = {name: forward(load_robot(name), Q[: len(load_robot(name).variables)]) for name in ROBOTS}
     calls = [call(derived(name), language, pose.matrix) for name, pose in poses.items()]
-    calls += [call(derived(name, in_its_numbers=True), language, poses[name].matrix) for name in IN_NUMBERS]
-    for name, rows in zip((*ROBOTS, *IN_NUMBERS), results(language, calls, tmp_path), strict=True):
+    return [*calls, *(call(derived(name, in_its_numbers=True), language, poses[name].matrix) for name in IN_NUMBERS)]
+
+
+def test_every_solution_comes_back(given: dict[str, list[Any]]) -> None:
+    """As many as the engine finds, each of them, and each once; with the robot's own lengths, given or put in."""
+    for name, rows in zip((*ROBOTS, *IN_NUMBERS), given["every robot"], strict=True):
         found = np.array(rows)
         engine = reached()[name]
         assert len(found) == len(engine), name
@@ -93,12 +105,16 @@ def test_no_line_ends_in_blanks(language: str) -> None:
     assert [line for line in text.splitlines() if line != line.rstrip()] == []
 
 
-@pytest.mark.parametrize("language", HERE)
-def test_a_pose_out_of_reach_has_no_solution(language: str, tmp_path: Path) -> None:
-    """And no error of the language."""
+def out_of_reach(language: str) -> list[Call]:
+    """A place that is too far."""
     far = np.eye(4)
     far[0, 3] = 5.0
-    [found] = results(language, [call(derived("planar-2r"), language, far)], tmp_path)
+    return [call(derived("planar-2r"), language, far)]
+
+
+def test_a_pose_out_of_reach_has_no_solution(given: dict[str, list[Any]]) -> None:
+    """And no error of the language."""
+    [found] = given["out of reach"]
     assert len(found) == 0
 
 
@@ -124,13 +140,15 @@ def few_can_take() -> list[tuple[str, np.ndarray, int]]:
     return found
 
 
-@pytest.mark.parametrize("language", HERE)
-def test_a_pose_that_few_joints_cannot_take_has_no_solution(language: str, tmp_path: Path) -> None:
+def few_joints(language: str) -> list[Call]:
+    """Poses for few joints."""
+    return [call(derived(name), language, pose) for name, pose, _ in few_can_take()]
+
+
+def test_a_pose_that_few_joints_cannot_take_has_no_solution(given: dict[str, list[Any]]) -> None:
     """None for what the engine has none for; those of a pose typed with four decimals are as many as of the pose."""
-    wanted = few_can_take()
-    calls = [call(derived(name), language, pose) for name, pose, _ in wanted]
-    found = [len(rows) for rows in results(language, calls, tmp_path)]
-    assert found == [count for _, _, count in wanted]
+    found = [len(rows) for rows in given["few joints"]]
+    assert found == [count for _, _, count in few_can_take()]
     assert found.count(0) > len(FEW)
 
 
@@ -150,16 +168,19 @@ def test_what_six_joints_reach_is_not_checked_twice() -> None:
     assert "tolerance" not in code(derived("cylindrical"), "python")
 
 
-@pytest.mark.parametrize("language", HERE)
-def test_there_is_no_root_of_a_negative_number(language: str, tmp_path: Path) -> None:
-    """A length from its square: none where the square is negative, two where it is not."""
+def roots(language: str) -> list[Call]:
+    """A length from its square, which is positive and then negative."""
     rest = add(power(Symbol("px"), 2), negate(power(Symbol("l1"), 2)))
     step = Step("SQUARES", "d3", (), ZERO, power(rest, Fraction(1, 2)), "plus-minus", rest)
     derivation = replace(derived("planar-2r"), robot=load_robot("scara"), steps=(step,))
     far, near = np.eye(4), np.eye(4)
     far[0, 3] = 0.5
-    calls = [call(derivation, language, pose, [0.3]) for pose in (far, near)]
-    two, none = results(language, calls, tmp_path)
+    return [call(derivation, language, pose, [0.3]) for pose in (far, near)]
+
+
+def test_there_is_no_root_of_a_negative_number(given: dict[str, list[Any]]) -> None:
+    """None where the square is negative, two where it is not."""
+    two, none = given["roots"]
     assert np.allclose(sorted(np.ravel(two)), [-0.4, 0.4])
     assert len(none) == 0
 
@@ -192,12 +213,14 @@ def _singular() -> list[tuple[str, np.ndarray]]:
     return [*found, ("ur5e", pose)]
 
 
-@pytest.mark.parametrize("language", HERE)
-def test_singular_poses_are_no_error_and_no_number_is_missing(language: str, tmp_path: Path) -> None:
+def singular(language: str) -> list[Call]:
+    """Singular poses."""
+    return [call(derived(name), language, pose) for name, pose, _ in singular_poses()]
+
+
+def test_singular_poses_are_no_error_and_no_number_is_missing(given: dict[str, list[Any]]) -> None:
     """Every row is finite and reaches the pose; there are some wherever the engine has one, else none."""
-    poses = singular_poses()
-    calls = [call(derived(name), language, pose) for name, pose, _ in poses]
-    for (name, pose, is_reached), rows in zip(poses, results(language, calls, tmp_path), strict=True):
+    for (name, pose, is_reached), rows in zip(singular_poses(), given["singular"], strict=True):
         robot, task = load_robot(name), task_of(name)
         assert bool(len(rows)) == is_reached, name
         for row in rows:
@@ -205,15 +228,29 @@ def test_singular_poses_are_no_error_and_no_number_is_missing(language: str, tmp
             assert np.abs(gap[:, 3] if task == "position" else gap).max() < 1e-7, name
 
 
-@pytest.mark.parametrize("language", HERE)
-def test_what_would_be_divided_by_0_before_any_choice_has_no_solution(language: str, tmp_path: Path) -> None:
-    """A length from another that stands below a line, in no loop yet."""
+def quotients(language: str) -> list[Call]:
+    """A length from another that stands below a line, in no loop yet; it is 0 in the second pose."""
     value = multiply(Symbol("l1"), power(add(Symbol("px"), negate(Symbol("py"))), -1))
     step = Step("SLIDE", "d3", (), value)
     derivation = replace(derived("planar-2r"), robot=load_robot("scara"), steps=(step,))
     near = np.eye(4)
     near[0, 3] = 0.5
-    one, none = results(language, [call(derivation, language, pose, [0.3]) for pose in (near, np.eye(4))], tmp_path)
+    return [call(derivation, language, pose, [0.3]) for pose in (near, np.eye(4))]
+
+
+ASKED: dict[str, Callable[[str], list[Call]]] = {
+    "every robot": every_robot,
+    "out of reach": out_of_reach,
+    "few joints": few_joints,
+    "roots": roots,
+    "singular": singular,
+    "quotients": quotients,
+}
+
+
+def test_what_would_be_divided_by_0_before_any_choice_has_no_solution(given: dict[str, list[Any]]) -> None:
+    """Nor an error of the language."""
+    one, none = given["quotients"]
     assert np.allclose(np.ravel(one), [0.6])
     assert len(none) == 0
 
