@@ -197,9 +197,15 @@ def _constant(value: float) -> tree.Number:
 
 
 def _sum(*terms: Expr) -> Expr:
-    """A sum as it was computed, flat, what is subtracted behind; numbers are not added up, they may be floats."""
+    """A sum as it was computed, flat, what is subtracted behind; numbers in it are one."""
     flat = [one for term in terms for one in (term.terms if type(term) is Sum else (term,))]
-    return Sum(tuple(sorted(flat, key=_term_order)))
+    numbers = [one for one in flat if type(one) is tree.Number]
+    if len(numbers) > 1:
+        flat = [one for one in flat if type(one) is not tree.Number]
+        # by their decimals, so that 0.1 and 0.2 are 0.3
+        total = float(sum(Fraction(repr(float(one.value))) for one in numbers))
+        flat += [_constant(total)] if total or not flat else []
+    return flat[0] if len(flat) == 1 else Sum(tuple(sorted(flat, key=_term_order)))
 
 
 def _term_order(term: Expr) -> tuple[bool, tuple[tuple[str, int], ...]]:

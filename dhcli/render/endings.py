@@ -38,11 +38,38 @@ PICTURES = {
 }
 """The same of pictures, of which none is of the formats above."""
 
+_CALLED = {
+    "octave": ("matlab", "Octave runs it"),
+    **dict.fromkeys(("c++", "cpp", "cxx", "cc", "hpp"), ("c", "C++ compiles it")),
+    **dict.fromkeys(("c99", "c11", "ansi-c"), ("c", "")),
+    **dict.fromkeys(("node", "nodejs", "typescript", "ts", "ecmascript"), ("javascript", "")),
+    **dict.fromkeys(("python3", "python2"), ("python", "")),
+    "np": ("numpy", ""),
+    "markdown": ("md", ""),
+    **dict.fromkeys(("text", "plain"), ("table", "")),
+}
+"""What people call formats and languages, and what is to be said of ours; endings of files are other such names."""
+
 _ANYTHING = (".txt",)
 """Endings of files that may hold any text."""
 
 _OTHERS = (".xlsx", ".xls", ".ods", ".docx", ".npz", ".mat", ".gz", ".zip", *(end for (end,) in PICTURES.values()))
 """Endings of files that no program could open if they held a format from above."""
+
+
+def meant(name: str, known: Iterable[str]) -> str:
+    """A hint at the format or language that is meant by another name for it, an ending, or a slip of the keyboard.
+
+    Args:
+        name: What was typed.
+        known: The formats there are.
+    """
+    known, plain = tuple(known), name.lower().lstrip(".")
+    called, said = _CALLED.get(plain, ("", ""))
+    if called in known:
+        return f"did you mean {called}?" + (f"; {said}" if said else "")
+    ending = [each for each in known if f".{plain}" in _endings_of(each)]
+    return f"did you mean {' or '.join(ending)}?" if ending else did_you_mean(name, known)
 
 
 def format_by_ending(

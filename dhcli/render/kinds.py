@@ -8,6 +8,7 @@ from typing import Any
 
 from dhcli.errors import UnknownNameError
 from dhcli.frozen import frozen
+from dhcli.render.endings import meant
 from dhcli.render.look import Look
 
 
@@ -221,6 +222,8 @@ def check_format(kind: str, name: str) -> None:
         of = f" for {_KINDS[kind].noun}" if name in known else ""
         if ("function", name) in _RENDERERS and kind in _FUNCTIONS:
             hint = f"a function that runs is --code {name}; {hint}"
+        elif name not in known and (near := meant(name, formats(kind))).startswith("did"):
+            hint = f"{near}; {hint}"
         raise UnknownNameError(f"there is no format {name}{of}", hint)
 
 

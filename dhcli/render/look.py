@@ -14,6 +14,10 @@ from dhcli.render.paper import Paper
 _NOISE = 1e-9
 """What is smaller is taken for rounding and shown as 0."""
 _DECIMAL = regex(r"[0-9]+\.[0-9]+")
+_COMPUTED = regex(r"[0-9]+\.[0-9]{10,}")
+"""A number with more decimals than anybody types, such as the cosine of a tilted axis."""
+PLACES = 6
+"""Decimals of such numbers in formulas."""
 _FEWEST = 3
 """Digits of a number that would be rounded to nothing."""
 
@@ -43,6 +47,12 @@ class Look:
         if self.places is None:
             return text
         return _DECIMAL.sub(lambda number: _shorter(number[0], self.places or 0), text)
+
+    def shown(self, text: str) -> str:
+        """A formula for people and papers: a number has the digits it was typed with, one that was computed few."""
+        if self.places is not None:
+            return self.formula(text)
+        return _COMPUTED.sub(lambda number: _shorter(number[0], PLACES if self.digits is None else self.digits), text)
 
     def number(self, value: float) -> str:
         """A number for people."""

@@ -62,6 +62,7 @@ def test_a_way_back_takes_the_lengths_that_are_not_put_in(dhcli: Run) -> None:
     text = dhcli("ik", "planar-2r", "--code", "python", "--with-values", "--set", "a1=0.5").out
     assert "def inverse(T, tolerance=0.001):" in text
     assert "0.5 + 0.3*c2" in text
+    assert "0.55 + 1.1*c2" in dhcli("fk", "palletizer", "--code", "c", "--with-values").out  # a1 + a4
     derived = dhcli("ik", "planar-2r", "--derive", "--set", "a1=0.5").out
     assert " a1" not in derived
     assert "(0.5 + a2*c2)^2" in derived
@@ -72,6 +73,13 @@ def test_a_way_back_takes_the_lengths_that_are_not_put_in(dhcli: Run) -> None:
     [
         (("fk", "scara", "--code", "cobol"), "--code knows no language cobol"),
         (("fk", "scara", "--code", "javascipt"), "did you mean javascript?"),
+        (("fk", "scara", "--code", "Octave"), "did you mean matlab?; Octave runs it"),
+        (("fk", "scara", "--code", "c++"), "did you mean c?; C++ compiles it"),
+        (("fk", "scara", "--code", "py"), "did you mean python or numpy?"),
+        (("fk", "scara", "--code", "rust"), "beside one of these --format json gives the formulas"),
+        (("fk", "scara", "-s", "--format", "octave"), "did you mean matlab?; Octave runs it; formats: json, table"),
+        (("fk", "scara", "-s", "--format", "tex"), "did you mean latex?; formats: json, table"),
+        (("fk", "scara", "--in", "q.csv", "--format", "ndjson"), "did you mean jsonl?"),
         (("fk", "scara", "--code", "c", "-o", "fk.py"), "write .c, or --code python"),
         (
             ("ik", "planar-2r", "--code", "numpy", "-o", "ik.JL"),
@@ -85,10 +93,10 @@ def test_a_way_back_takes_the_lengths_that_are_not_put_in(dhcli: Run) -> None:
         (("fk", "scara", "--code", "c", "--links"), "--code and --links ask for different things"),
         (("fk", "scara", "--code", "c", "--as", "rpy", "--let"), "--code and --as and --let ask for different things"),
         (("fk", "scara", "--code", "c", "--format", "numpy"), "--code says the language, and --format another"),
-        (("fk", "scara", "--code", "c", "--in", "q.csv"), "--code does not go with --in"),
+        (("fk", "scara", "--code", "c", "--rows", "q.csv"), "--code does not go with --rows"),
         (("ik", "planar-2r", "--code", "c", "--why"), "--code and --why ask for different things"),
         (("ik", "planar-2r", "--with-values"), "--with-values is for --code"),
-        (("ik", "planar-2r", "--in", "T.csv", "--with-values"), "--with-values does not go with --in"),
+        (("ik", "planar-2r", "--rows", "T.csv", "--with-values"), "--with-values does not go with --rows"),
         (("ik", "planar-2r", "--derive", "--near", "0,0"), "--derive and --near ask for different things"),
         (("ik", "planar-2r", "--code", "c", "--position", "0.5,0,0"), "is in letters and takes no pose"),
         (("ik", "panda", "--code", "c"), "has no textbook form"),

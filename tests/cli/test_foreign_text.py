@@ -163,8 +163,8 @@ def command_lines() -> Iterator[tuple[str, ...]]:
     yield "solution", exercise, "--yes"
     yield "new", "exercise", "c/y", "--robot", "./robots/r.yaml", "-o", "-"
     yield "fk", robot, "--pose", "home", "-o", f"{NAME}.m"
-    yield "fk", robot, "--in", f"{NAME}.csv"
-    yield "fk", robot, "--in", f"{NAME}.csv", "--ignore-columns", "-o", f"{NAME}.jsonl"
+    yield "fk", robot, "--rows", f"{NAME}.csv"
+    yield "fk", robot, "--rows", f"{NAME}.csv", "--ignore-columns", "-o", f"{NAME}.jsonl"
     for command in ("fk", "show", "check", "dof", "start", "grade", "lint", "transform", "sweep", "help", "new"):
         yield command, EVIL
         yield command, f"./{EVIL}.yaml", f"--{EVIL}", EVIL

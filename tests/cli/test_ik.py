@@ -159,7 +159,7 @@ def test_rows_of_few_decimals_are_taken_as_single_poses_are(dhcli: Run, tmp_path
     matrices = [np.round(np.array(forward(load_robot("zhou-3r"), q).matrix), 4).tolist() for q in exact]
     path = tmp_path / "poses.jsonl"
     path.write_text("".join(json.dumps({"matrix": matrix}) + "\n" for matrix in matrices), encoding="utf-8")
-    done = dhcli("ik", "zhou-3r", "--in", str(path), "--format", "csv")
+    done = dhcli("ik", "zhou-3r", "--rows", str(path), "--format", "csv")
     assert done.code == 0
     rows = [[float(cell) for cell in line.split(",")] for line in done.out.splitlines()[1:]]
     assert rows == [pytest.approx([line, *q], abs=1e-3) for line, q in enumerate(exact, 1)]
@@ -167,7 +167,7 @@ def test_rows_of_few_decimals_are_taken_as_single_poses_are(dhcli: Run, tmp_path
 
 
 def test_csv_has_a_line_for_each_solution(dhcli: Run) -> None:
-    """And goes back into `fk --in` without its first two columns."""
+    """And goes back into `fk --rows` without its first two columns."""
     lines = dhcli("ik", "ur5e", "--pose", "work", "--format", "csv").out.splitlines()
     assert lines[0] == "branch,within_limits,theta1,theta2,theta3,theta4,theta5,theta6"
     assert len(lines) == 9
@@ -238,7 +238,7 @@ def test_a_derivation_has_these_keys_in_json(dhcli: Run) -> None:
         "only_where",
         "steps",
     }
-    keys = {"rule", "unknown", "equations", "value", "plus_minus", "or_half_a_turn_more", "condition"}
+    keys = {"rule", "unknown", "equations", "value", "plus_minus", "or_half_a_turn_more", "condition", "instead"}
     assert all(set(step) == keys for step in data["steps"])
     assert [step["unknown"] for step in data["steps"]][:4] == ["theta1", "theta3", "theta2 + theta3", "theta2"]
 
@@ -356,7 +356,7 @@ def test_formulas_asked_for_as_symbols_are_found(dhcli: Run) -> None:
 
 def test_rows_from_the_keyboard_are_waited_for_aloud(tmp_path: Path) -> None:
     """A command that says nothing seems to hang; Ctrl-D ends what is typed."""
-    with Terminal(tmp_path, "ik", "planar-2r", "--in", "-", own_process=True) as screen:
+    with Terminal(tmp_path, "ik", "planar-2r", "--rows", "-", own_process=True) as screen:
         screen.until("reading from the keyboard; Ctrl-D on an empty line ends it")
         screen.type("p_x,p_y,p_z\n0.5,0.3,0\n\x04")
         assert screen.end() == 0
@@ -491,14 +491,39 @@ TYPED = """[0.3551 -0.0720 -0.9320 0.4908; 0.9135 -0.1852 0.3624 0.3978; -0.1987
 
 
 def test_a_matrix_of_four_decimals_is_reached_by_an_arm_of_few_joints(dhcli: Run) -> None:
-    """It comes nearest to it; in a product, in other units or with all digits the pose is taken as it stands."""
+    """It comes nearest to it; in a product, in other units and with a power of ten as well."""
     done = dhcli("ik", "zhou-3r", "--target", TYPED)
     assert done.code == 0
     assert "1 solution\n" in done.out
     assert "17.1878°" in done.out
     assert "the arm takes no pose with exactly these digits; the nearest is taken" in done.err
     for other in (f"{TYPED} * Trans(0,0,0)", TYPED.replace("0.4908", "490.8 mm"), TYPED.replace("0.4908", "4.908e-1")):
-        assert dhcli("ik", "zhou-3r", "--target", other).code == 1
+        assert "the nearest is taken" in dhcli("ik", "zhou-3r", "--target", other).err
+    lifted = TYPED.replace("0.0000 0.0000; 0 0", "0.0000 0.0003; 0 0")
+    assert dhcli("ik", "zhou-3r", "--target", lifted).code == 1
+
+
+FIVE = str(Path(__file__).parents[1] / "data" / "five-axis.yaml")
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        ("--position", "0.7230,0.2236,0.7418", "--rpy", "-2.5584,-0.4120,-0.7253"),
+        ("--position", "722.99 mm,223.65 mm,741.79 mm", "--rpy", "-146.58°,-23.61°,-41.56°"),
+        ("--position", "0.7230,0.2236,0.7418", "--quaternion", "0.1936,-0.8974,0.2776,-0.2830"),
+        ("--position", "0.7230,0.2236,0.7418", "--euler", "zyx -0.7253,-0.4120,-2.5584"),
+        ("--position", "0.7230,0.2236,0.7418", "--pointing", "0.6154,0.1904,-0.7648"),
+        ("--target", "Trans(0.7230,0.2236,0.7418) Rot(z,-41.56°) Rot(y,-23.61°) Rot(x,-146.58°)"),
+    ],
+)
+def test_few_digits_leave_a_pose_open_in_whatever_way_it_is_given(dhcli: Run, typed: tuple[str, ...]) -> None:
+    """The hand of a five-axis arm at theta = 0.3, 0.8, -0.6, 0.5, 0.9, rounded."""
+    done = dhcli("ik", FIVE, *typed, "--format", "json")
+    assert done.code == 0
+    assert "the arm takes no pose with exactly these digits; the nearest is taken" in done.err
+    rows = [solution["q"] for solution in done.data["solutions"]]
+    assert min(max(abs(a - b) for a, b in zip(row[:4], (0.3, 0.8, -0.6, 0.5), strict=True)) for row in rows) < 2e-3
 
 
 @pytest.mark.parametrize("height", ["0.2", "0.01", "0.001", "0.0005"])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 from tests.cli.running import run
@@ -65,12 +66,12 @@ def test_every_command_about_a_robot_takes_the_links_of_a_urdf(tmp_path: Path) -
     rows = tmp_path / "q.csv"
     rows.write_text("theta1,theta2,d3\n0.1,0.2,0.3\n", "utf-8")
     poses = tmp_path / "p.csv"
-    pose = run("fk", str(ROOT / ARM), "--tip", "tool0", "--in", str(rows), "-o", str(poses))
+    pose = run("fk", str(ROOT / ARM), "--tip", "tool0", "--rows", str(rows), "-o", str(poses))
     assert pose.code == 0, pose.err
     for words in (
         ("show",),
         ("ik", "--q", "0.1,0.2,0.3"),
-        ("ik", "--in", str(poses)),
+        ("ik", "--rows", str(poses)),
         ("jacobian", "--symbolic"),
         ("jacobian", "--rows", str(rows)),
         ("rates", "--q", "0.1,0.2,0.3", "--rates", "1,0,0"),
@@ -100,3 +101,36 @@ def test_only_a_robot_has_links_to_choose() -> None:
     """An exercise and a linkage say so."""
     done = run("show", "bennett", "--tip", "hand")
     assert (done.code, "bennett is no robot" in done.err) == (2, True)
+
+
+def test_formulas_of_tilted_axes_have_few_decimals_for_people_and_all_for_programs(tmp_path: Path) -> None:
+    """An axis whose length is 1 to seven digits; what is typed with many is shown as it was typed."""
+    path = tmp_path / "arm.urdf"
+    path.write_text(TILTED, encoding="utf-8")
+    for words in (
+        ("fk", str(path), "--symbolic"),
+        ("fk", str(path), "--symbolic", "--let"),
+        ("fk", str(path), "--symbolic", "--format", "latex"),
+        ("jacobian", str(path), "--symbolic"),
+        ("show", str(path), "--format", "md"),
+        ("show", str(path), "--format", "latex"),
+    ):
+        text = run(*words).out
+        assert "0.866025" in text or "0.5" in text, words
+        assert not re.search(r"\.[0-9]{9}", text), words
+    assert "p_z = 0.35" in run("fk", str(path), "--symbolic").out
+    assert "0.519615" in run("fk", str(path), "--symbolic").out
+    assert "0.51962*" in run("fk", str(path), "--symbolic", "--digits", "5").out
+    assert "p_x = 0.05123456" in run("fk", str(path), "--symbolic").out
+    assert re.search(r"0\.51961524170\d+", run("fk", str(path), "--symbolic", "--format", "sympy").out)
+
+
+TILTED = """<robot name="tilted">
+  <link name="base"/><link name="tip"/>
+  <joint name="j1" type="revolute">
+    <parent link="base"/><child link="tip"/><origin xyz="0.05123456 0 0.35"/><axis xyz="0.3 0.4 0.8660254"/>
+    <limit lower="-2" upper="2" effort="1" velocity="1"/>
+  </joint>
+</robot>
+"""
+"""A joint about an axis that stands at odd angles."""

@@ -37,7 +37,7 @@ def _exercise(ask: str) -> Case:
 
 
 def _rows(content: bytes) -> Case:
-    return Case(("fk", "scara", "--in", "q.csv"), {"q.csv": content})
+    return Case(("fk", "scara", "--rows", "q.csv"), {"q.csv": content})
 
 
 CASES: dict[str, Case] = {

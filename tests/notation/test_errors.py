@@ -58,7 +58,7 @@ def refused(text: str, scope: Scope = ROBOT, place: Place | None = None) -> str:
         ("\\frac123", "6: '123' where { was expected after \\frac"),
         ("a1 \\", "4: a backslash at the end (remove it, or write a LaTeX command such as \\theta)"),
         ("a_", "2: _ (Low Line) means nothing here"),
-        ("0.5.a1", "4: . (Full Stop) means nothing here"),
+        ("0.5..a1", "4: . (Full Stop) means nothing here"),
         ("(0,5)", "3: ',' where ) was expected to close ("),
     ],
 )

@@ -98,12 +98,13 @@ def test_a_length_in_any_form_is_still_read(text: str, metres: str) -> None:
     ("text", "said"),
     [
         ("30° 15", "a number stands behind the unit °"),
-        ("30°15'", "a number stands behind the unit °"),
+        ("30°15″", "a number stands behind the unit °"),
+        ("30°75'", "a number stands behind the unit °"),
         ("30 deg deg", "a second unit, deg, stands in one product"),
     ],
 )
-def test_degrees_and_minutes_are_a_question(text: str, said: str) -> None:
-    """`30° 15` is neither 450° nor 45°."""
+def test_a_number_behind_degrees_that_are_no_minutes_is_a_question(text: str, said: str) -> None:
+    """`30° 15` is neither 450° nor 45°, and there are no 75 minutes."""
     with pytest.raises(NotationError) as caught:
         parse(text)
     assert caught.value.problems[0].message == said

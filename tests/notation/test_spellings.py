@@ -40,7 +40,9 @@ ROBOT = Scope(
         ("d_f", "d_f"), ("d_{f}", "d_f"), ("α", "alpha"), ("\\alpha_{i-1}", "alpha_{i-1}"), ("α_{i-1}", "alpha_{i-1}"),
         # cosines and sines
         ("cos(theta1)", "c1"), ("cos θ1", "c1"), ("cosθ1", "c1"), ("\\cos\\theta_1", "c1"), ("Cos(q1)", "c1"),
-        ("np.cos(theta1)", "c1"), ("\\cos\\left(\\theta_1\\right)", "c1"), ("cos(theta1+theta2)", "c12"),
+        ("np.cos(theta1)", "c1"), ("a1.c1", "a1*c1"), ("-a1.s12.c3", "-a1*s12*c3"), ("(a1+a2).c1", "c1*(a1 + a2)"),
+        ("minus 2", "-2"), ("a1 minus a2", "a1 - a2"),
+        ("\\cos\\left(\\theta_1\\right)", "c1"), ("cos(theta1+theta2)", "c12"),
         ("cos(theta2 + theta1)", "c12"), ("sin^2 θ1", "s1^2"), ("sin²(θ1)", "s1^2"), ("\\sin^2\\theta_1", "s1^2"),
         ("cos 2θ1", "c(2*theta1)"), ("cos(-θ1)", "c1"), ("sin(-θ1)", "-s1"), ("sin α", "sin(alpha)"),
         ("cos(θ1 - 90°)", "s1"), ("cos(θ1 + π)", "-c1"), ("sin(θ1+θ2-π/2)", "-c12"), ("cos(60°)", "1/2"),
@@ -99,6 +101,7 @@ def test_without_a_robot_names_stand_for_themselves(text: str, read: str) -> Non
         ("theta3 - 180°", "theta3 - 180°"), ("90° + θ1", "theta1 + 90°"), ("theta1/2", "theta1/2"),
         ("2*theta1 - theta2 + 0.25 rad", "2*theta1 - theta2 + 0.25 rad"), ("π rad", "180°"), ("22.5°", "22.5°"),
         ("30 degrees", "30°"), ("-(θ1 + 90°)", "-theta1 - 90°"), ("1/3 deg", "(1/3)°"),
+        ("2°28′38″", "(4459/1800)°"), ("-2° 28' 38\"", "(-4459/1800)°"), ("30°15'", "30.25°"), ("-0°30'", "-0.5°"),
     ],
 )  # fmt: skip
 def test_an_angle_is_read_exactly(text: str, angle: str) -> None:

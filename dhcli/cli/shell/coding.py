@@ -6,8 +6,8 @@ from collections.abc import Mapping
 
 from dhcli.cli.shell.delivery import Delivery
 from dhcli.cli.shell.written import LANGUAGES, Written
-from dhcli.errors import DhcliError, UnknownNameError, did_you_mean
-from dhcli.render.endings import check_ending
+from dhcli.errors import DhcliError, UnknownNameError
+from dhcli.render.endings import check_ending, meant
 
 
 def code_delivery(out: Written, command: str, kind: str, others: Mapping[str, object]) -> Delivery:
@@ -26,8 +26,9 @@ def code_delivery(out: Written, command: str, kind: str, others: Mapping[str, ob
     if out.code is None:
         raise DhcliError("--with-values is for --code", "say the language: --code python")
     if out.code not in LANGUAGES:
-        hint = did_you_mean(out.code, LANGUAGES) or f"languages: {', '.join(LANGUAGES)}"
-        raise UnknownNameError(f"--code knows no language {out.code}", hint)
+        hint = meant(out.code, LANGUAGES)
+        more = "" if hint.startswith("did") else "; beside one of these --format json gives the formulas, for any other"
+        raise UnknownNameError(f"--code knows no language {out.code}", hint + more)
     check_alone("--code", {**others, "--style": out.style, "--digits": out.digits})
     if out.format not in {None, "json"}:
         raise DhcliError("--code says the language, and --format another", "leave --format out; json gives formulas")

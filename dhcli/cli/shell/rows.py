@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 
 from dhcli.cli.shell.console import raw_out, somebody_reads, tell, write_out
 from dhcli.cli.shell.delivery import check_free, check_overwrite
-from dhcli.errors import DhcliError, UnknownNameError, did_you_mean, plural
+from dhcli.errors import DhcliError, UnknownNameError, plural
 from dhcli.frozen import frozen
 from dhcli.render.code.rows import FORMATS, Layout, RowText
-from dhcli.render.endings import check_ending, format_by_ending
+from dhcli.render.endings import check_ending, format_by_ending, meant
 
 if TYPE_CHECKING:
     import numpy as np
@@ -87,7 +87,7 @@ class RowDelivery:
         """
         check_overwrite(self.output, overwrite=self.overwrite)
         if self.format is not None and self.format not in FORMATS:
-            hint = "jsonl has one object a row" if self.format == "json" else did_you_mean(self.format, FORMATS)
+            hint = "jsonl has one object a row" if self.format == "json" else meant(self.format, FORMATS)
             raise UnknownNameError(f"there is no format {self.format} for rows", hint)
         name = self.format or format_by_ending(self.output or "stdout.csv", FORMATS, of=" of rows")
         check_ending(self.output, name, "--format", FORMATS)

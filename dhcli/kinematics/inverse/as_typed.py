@@ -197,11 +197,15 @@ def poses_as_typed(
 
 
 def slack_of(pose: Array, task: TaskName) -> float:
-    """By how much the decimals of a pose leave an entry open: half a unit of the last; 0 if many or few are right."""
-    for decimals in range(_MANY):
-        if np.abs(np.round(pose, decimals) - pose).max() < _ROUND:
-            is_rounded = decimals > FEW or (decimals == FEW and read_targets(pose, task_called(task))[1] > EXACT)
-            return 0.5 * 10.0**-decimals if is_rounded else 0.0
+    """By how much the decimals of a pose leave an entry open: half a unit of the last; 0 if many or few are right.
+
+    Where its turn was given by angles or a quaternion, the position tells how many decimals the row had.
+    """
+    for part in (pose, pose[:3, 3]):
+        for decimals in range(_MANY):
+            if np.abs(np.round(part, decimals) - part).max() < _ROUND:
+                is_rounded = decimals > FEW or (decimals == FEW and read_targets(pose, task_called(task))[1] > EXACT)
+                return 0.5 * 10.0**-decimals if is_rounded else 0.0
     return 0.0
 
 

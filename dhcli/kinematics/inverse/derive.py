@@ -6,11 +6,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations, permutations
+from typing import TypeAlias
 
 from dhcli.errors import RobotError
 from dhcli.kinematics.frames import check_moves, ends
 from dhcli.kinematics.inverse.derivation import Derivation
-from dhcli.kinematics.inverse.derive_checks import left_to_check
+from dhcli.kinematics.inverse.derive_checks import COORDINATES, left_to_check
 from dhcli.kinematics.inverse.derive_levels import Equation, entries, squares
 from dhcli.kinematics.inverse.derive_points import VANISHES, Points, symbols_of_chain
 from dhcli.kinematics.inverse.derive_rules import (
@@ -31,6 +32,10 @@ from dhcli.notation.tree import Expr, Number, Sum, Symbol, add, multiply, negate
 
 _MOST = 16
 """Equations in one unknown that are tried with each other."""
+
+
+Squared: TypeAlias = tuple[Equation, list[Expr], list[Expr]]
+"""The equation to show, and the entries on the left and on the right that are squared and added."""
 
 
 class NoFormError(RobotError):
@@ -75,12 +80,13 @@ def _steps(robot: Robot, start: str, end: str, *, place_only: bool) -> tuple[Ste
     """The steps, if the rules find every joint."""
     moving = symbols_of_chain(robot, start, end)
     known = Knowledge({name for name in robot.variables if name in moving})
+    is_short = len(known.unknown) < COORDINATES[place_only]
     found = entries(robot, start, end, place_only=place_only)
     squared_ones = list(squares(robot, start, end, place_only=place_only))
     points = Points(robot, start, end)
     steps: list[Step] = []
     while known.unknown:
-        step = _sum(known, steps) or _entry_rules(known, found, points) or _squares(known, squared_ones, points)
+        step = _sum(known, steps) or _next(known, found, squared_ones, points, is_short=is_short)
         if step is None:
             return None
         steps.append(step)
@@ -104,8 +110,10 @@ def _sum(known: Knowledge, steps: Sequence[Step]) -> Step | None:
     return None
 
 
-def _entry_rules(known: Knowledge, found: Sequence[Equation], points: Points) -> Step | None:
-    """SLIDE, BOTH, RATIO, ZERO and ONE, in this order."""
+def _next(
+    known: Knowledge, found: Sequence[Equation], squared_ones: Sequence[Squared], points: Points, *, is_short: bool
+) -> Step | None:
+    """SLIDE, BOTH, RATIO, ZERO, ONE and SQUARES, in this order."""
     by_atom: dict[Atom, list[Found]] = {}
     for one in found:
         atom = known.atom((one.left, one.right))
@@ -114,7 +122,13 @@ def _entry_rules(known: Knowledge, found: Sequence[Equation], points: Points) ->
     for atom, own in by_atom.items():
         own.sort(key=lambda one: (sum(map(length, one[1][1:])), length(one[1][0])))
         by_atom[atom] = _different(own)
-    return _slide(by_atom) or _both(by_atom, points) or _ratio(known, found, points) or _one(by_atom, points)
+    if step := _slide(by_atom) or _both(by_atom, points):
+        return step
+    step = _ratio(known, found, points)
+    if step is None:
+        return _one(by_atom, points) or _squares(known, squared_ones, points)
+    # where there are fewer joints than coordinates, lengths say as much, and do so wherever the arm stands
+    return (is_short and step.is_met_often and _squares(known, squared_ones, points)) or step
 
 
 def _different(own: Sequence[Found]) -> list[Found]:
@@ -182,9 +196,13 @@ def _sign(det: Expr, points: Points) -> int:
 def _ratio(known: Knowledge, found: Sequence[Equation], points: Points) -> Step | None:
     singles = [(one, parts) for one in found if (parts := single(one, known))]
     made = [step for first, second in permutations(singles, 2) if (step := ratio(first, second))]
-    # a sine is 0 in ordinary poses, such as those of a hand that hangs down; a sum of lengths is not
-    made.sort(key=lambda step: type(step.condition) is not Sum)
-    return next((step for step in made if points.lives(step)), None)
+    # a sine is 0 in ordinary poses, such as those of a hand that hangs down; a sum of lengths is not, nor is one alone
+    made.sort(key=lambda step: (step.is_met_often, type(step.condition) is not Sum))
+    living = filter(points.lives, made)
+    best = next(living, None)
+    if best is None:
+        return None
+    return replace(best, instead=next((step for step in living if points.serves(step, best)), None))
 
 
 def _one(by_atom: Mapping[Atom, list[Found]], points: Points) -> Step | None:
@@ -199,7 +217,7 @@ def _one(by_atom: Mapping[Atom, list[Found]], points: Points) -> Step | None:
     return min(made, key=lambda step: (step.rule != "ZERO", length(step.spread or step.value)), default=None)
 
 
-def _squares(known: Knowledge, found: Sequence[tuple[Equation, list[Expr], list[Expr]]], points: Points) -> Step | None:
+def _squares(known: Knowledge, found: Sequence[Squared], points: Points) -> Step | None:
     made = []
     for level, left, right in found:
         atom = known.atom(right)

@@ -16,7 +16,7 @@ from dhcli.kinematics.inverse.derive_values import joint_values
 from dhcli.kinematics.moves import Chain, Rot
 from dhcli.notation.angle import Angle
 
-_COORDINATES = {True: 3, False: 6}
+COORDINATES = {True: 3, False: 6}
 """How many a position has, and a pose."""
 
 _BESIDE = (-0.2, 0.2)
@@ -36,7 +36,7 @@ def left_to_check(derivation: Derivation) -> tuple[Equation, ...]:
     the joint values were found from. Nothing where there are as many joints as coordinates.
     """
     robot, place_only = derivation.robot, derivation.place_only
-    if len(derivation.joints) >= _COORDINATES[place_only]:
+    if len(derivation.joints) >= COORDINATES[place_only]:
         return ()
     made = textbook_form(between(robot, derivation.start, derivation.end))
     columns = (3,) if place_only else (0, 1, 2, 3)
@@ -56,7 +56,7 @@ def _beside(derivation: Derivation) -> Iterator[dict[str, Angle | float]]:
     turned: Chain = (Rot("z", Angle.of("yaw")), Rot("y", Angle.of("pitch")), Rot("x", Angle.of("roll")))
     ranges = {**dict.fromkeys(("yaw", "pitch", "roll"), CIRCLE), **dict.fromkeys(POSITION, _BESIDE)}
     for values, drawn in zip(points.values_of, draws(ranges, 19), strict=False):
-        place = {name: float(values[name]) + drawn[name] for name in POSITION}  # type: ignore[arg-type]  # numbers
+        place = {name: float(values[name]) + drawn[name] for name in POSITION}
         lengths = {name: value for name, value in values.items() if name not in derivation.joints}
         known = {**lengths, **pose_values(turned, drawn), **place}
         for found in joint_values(derivation, known):

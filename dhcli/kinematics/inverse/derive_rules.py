@@ -36,6 +36,10 @@ Two: TypeAlias = Literal["", "plus-minus", "opposite"]
 """Whether there is one value, two that differ by the sign before a term, or two that are half a turn apart."""
 
 
+FAINT = 1e-3
+"""A sine and a cosine this much smaller than those of another step to the same angle leave it the say."""
+
+
 @frozen
 class Step:
     """One step of a derivation.
@@ -48,6 +52,7 @@ class Step:
         spread: What stands behind ±; None where nothing does.
         two: Whether there are two values.
         condition: What must not be 0, or must not be beyond ±1; None where nothing can go wrong.
+        instead: Another step to the same unknown, with as many values, that says something where this one does not.
     """
 
     rule: Rule
@@ -57,6 +62,18 @@ class Step:
     spread: Expr | None = None
     two: Two = ""
     condition: Expr | None = None
+    instead: Step | None = None
+
+    @property
+    def arc(self) -> tuple[Expr, ...]:
+        """Sine and cosine of which it is the angle; nothing where it is none."""
+        return self.value.arguments if isinstance(self.value, Call) and self.value.function == "atan2" else ()
+
+    @property
+    def is_met_often(self) -> bool:
+        """Whether it says nothing where one joint stands at 0 or at a right angle, as in many ordinary poses."""
+        one = self.condition
+        return type(one) is Trig or (type(one) is Product and Trig in map(type, one.factors))
 
 
 def difference(one: Equation, atom: Atom, known: Knowledge) -> Coefficients | None:

@@ -10,7 +10,7 @@ from dhcli.kinematics.frames import between
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_levels import POSITION
 from dhcli.kinematics.inverse.derive_points import Points, pose_values
-from dhcli.kinematics.inverse.derive_rules import Step
+from dhcli.kinematics.inverse.derive_rules import FAINT, Step
 from dhcli.kinematics.inverse.derive_terms import Atom, name_of
 from dhcli.notation.angle import Angle
 
@@ -79,7 +79,7 @@ def _branches(
         return
     step = derivation.steps[at]
     over = Floats(values)
-    value = over.value(step.value)
+    value = _value(step, over)
     spread = 0.0 if step.spread is None else over.value(step.spread)
     turn = math.pi if step.two == "opposite" else spread
     for found in (
@@ -95,6 +95,16 @@ def _branches(
             more[step.atom[0][0]] = found / float(step.atom[0][1])
         _stand_in(derivation, at, more, known_sums)
         yield from _branches(derivation, at + 1, more, known_sums)
+
+
+def _value(step: Step, over: Floats) -> float:
+    """The value of a step, or of the one instead where it says nothing."""
+    other = step.instead
+    if other is not None:
+        size, stronger = (sum(abs(over.value(part)) for part in one.arc) for one in (step, other))
+        if size <= FAINT * stronger:
+            return over.value(other.value)
+    return over.value(step.value)
 
 
 def _stand_in(derivation: Derivation, at: int, values: dict[str, Angle | float], sums: Mapping[Atom, float]) -> None:

@@ -92,6 +92,12 @@ def condition_text(step: Step, style: str, result: Derivation) -> str:
         return f"no solution where {'that cosine' if is_long else text} is beyond -1 or 1"
     if step.spread is not None:
         return f"no solution where {'what the root is taken of' if is_long else text} is negative"
+    if (other := step.instead) is not None:
+        value = write(other.value, style, result.robot.writing)
+        value = f"${value}$" if style == "latex" else value
+        half = ", or 180° more" if other.two else ""
+        levels = " and ".join(level_text(result, one) for one in other.equations)
+        return f"where {text} = 0 it is {value}{half}, from {levels}"
     return f"says nothing where {text} = 0: the joint is then free, or another equation has to serve"
 
 

@@ -20,10 +20,10 @@ from dhcli.render.look import Look
 from dhcli.safe import markdown, markdown_code, markdown_heading
 
 
-def derivation_latex(result: Derivation, _look: Look) -> str:
+def derivation_latex(result: Derivation, look: Look) -> str:
     """The formulas, one a line, aligned at their equals signs."""
     lines = [f"{named_text(step.atom, latex_name)} &= {_latex_value(result, step)}" for step in result.steps]
-    return "\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}\n"
+    return look.shown("\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}\n")
 
 
 def _latex_value(result: Derivation, step: Step) -> str:
@@ -34,7 +34,7 @@ def _latex_value(result: Derivation, step: Step) -> str:
     return value + (r" \; (+\, 180^\circ)" if step.two == "opposite" else "")
 
 
-def derivation_markdown(result: Derivation, _look: Look) -> str:
+def derivation_markdown(result: Derivation, look: Look) -> str:
     """The steps as a page: for each its equations, its formula, and where it says nothing."""
     joints = result.robot.writing
     lines = [markdown_heading(1, f"Joint values of {result.robot.name}")]
@@ -49,4 +49,4 @@ def derivation_markdown(result: Derivation, _look: Look) -> str:
             lines += ["", f"Here: {condition}."]
     for said in filter(None, (left_text(result, "short"), proof_text(result))):
         lines += ["", said[0].upper() + said[1:] + "."]
-    return "\n".join(lines) + "\n"
+    return look.shown("\n".join(lines) + "\n")

@@ -8,6 +8,9 @@ from dataclasses import replace
 from dhcli.errors import plural
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.inverse.derivation import Derivation
+from dhcli.kinematics.inverse.derive_rules import FAINT
+from dhcli.kinematics.inverse.derive_words import atom_text
+from dhcli.notation.angle import Angle
 from dhcli.notation.tree import (
     HALF,
     ONE,
@@ -18,6 +21,7 @@ from dhcli.notation.tree import (
     Product,
     Sum,
     Symbol,
+    Trig,
     add,
     is_negative,
     negate,
@@ -34,6 +38,9 @@ from dhcli.render.text.forward import frame_words
 
 _ONE = "1 + 1e-12"
 """A cosine up to this is one of 1: that of an arm stretched out is 1 but for rounding."""
+
+_NOTHING = "1e-9"
+"""A sine and a cosine up to this say nothing of their angle."""
 
 _TOLERANCE, _TYPED = "tolerance", 1e-3
 """How far beside the pose joint values may lead: a pose typed with four decimals asks for so much."""
@@ -53,7 +60,8 @@ def inverse_code(result: Derivation, look: Look) -> str:
     spelling = language.spelling([*more, *names])
     joints = [spelling.names[name] for name in result.joints]
     own = {name: None if (v := result.robot.parameters[name]) is None else in_floats(v) for name in lengths}
-    heading = Heading("inverse", list(_said(result, joints, spelling, more)), (), own, more, ("T",), gives="solutions")
+    said = list(_said(result, stages, joints, spelling, more))
+    heading = Heading("inverse", said, (), own, more, ("T",), gives="solutions")
     if language.name == "c":
         given, filled = ("const double T[4][4]",), (f"double solutions[][{len(joints)}]",)
         heading = replace(heading, given=given, filled=filled, gives="int")
@@ -65,15 +73,19 @@ def inverse_code(result: Derivation, look: Look) -> str:
     return language.function(heading, spelling, [line for line in body if line.strip()])
 
 
-def _said(result: Derivation, joints: Sequence[str], spelling: Spelling, more: Mapping[str, float]) -> Iterator[str]:
+def _said(
+    result: Derivation, stages: Stages, joints: Sequence[str], spelling: Spelling, more: Mapping[str, float]
+) -> Iterator[str]:
     """What the function takes and gives."""
     robot = result.robot
     of = "the position in the pose T" if result.place_only else "the pose T"
     yield f"Every solution of {robot.name} for {of} of {frame_words(result.end)} seen from {frame_words(result.start)}."
     yield f"{robot_words(robot)}; radians and metres."
     yield f"Joint values of each, in this order: {', '.join(joints)}; at most {plural(result.branches, 'solution')}."
+    if tried := [atom_text(stage.step.atom) for stage in stages.steps if stage.is_tried]:
+        yield f"Where {', or '.join(tried)} is free, four values of it are tried: at most {stages.most}."
     if spelling.language.name == "c":
-        yield f"Returns how many there are; solutions has room for {plural(result.branches, 'row')}."
+        yield f"Returns how many there are; solutions has room for {plural(stages.most, 'row')}."
     if more:
         name, kinds = spelling.names[_TOLERANCE], "m" if result.place_only else "m and direction cosines"
         typed = f"{_TYPED:g} allows for a pose typed with four decimals"
@@ -130,6 +142,12 @@ class _Nest:
         yield from self.needed(*([stage.value, stage.spread] if stage.before is None else [stage.before]))
         if two == "plus-minus":
             yield language.signs.format(spelling.names[f"sign_{stage.name}"])
+        elif stage.is_tried:
+            turn = spelling.names[f"turn_{stage.name}"]
+            yield language.quarters.format(turn)
+            yield from self.needed(stage.value)
+            beside = Product((Call("abs", (Trig("sin", Angle.of(f"turn_{stage.name}")),)), _size(stage.value)))
+            yield self.left_if(f"{spelling.formula(beside)} > {_NOTHING}")
         elif two:
             yield language.turns.format(spelling.names[f"turn_{stage.name}"])
         value, spread = stage.value, stage.spread
@@ -148,8 +166,18 @@ class _Nest:
             term: Expr = Product((Symbol(f"sign_{stage.name}"), spread))
             value = term if value == ZERO else Sum((value, term))
         elif two:
-            value = Sum((value, Symbol(f"turn_{stage.name}")))
-        yield spelling.let(stage.name, spelling.formula(value))
+            value = self.turned(stage, value)
+        if stage.instead is None:
+            yield spelling.let(stage.name, spelling.formula(value))
+            return
+        yield from self.needed(stage.instead)
+        own, other = (spelling.formula(_size(arc)) for arc in (stage.value, stage.instead))
+        instead = spelling.formula(self.turned(stage, stage.instead) if two else stage.instead)
+        yield spelling.choose(stage.name, f"{own} > {FAINT}*({other})", spelling.formula(value), instead)
+
+    def turned(self, stage: Stage, value: Expr) -> Expr:
+        """A value, and what the loop adds to it."""
+        return Sum((value, Symbol(f"turn_{stage.name}")))
 
     def left_if(self, condition: str) -> str:
         """The lines that go on with the next round if a condition holds; outside of all loops nothing is found then."""
@@ -176,6 +204,12 @@ class _Nest:
                 self.steady |= {name} if symbols(part) <= self.steady else set()
                 yield from self.divisible(part)
                 yield self.spelling.let(name, self.spelling.formula(part))
+
+
+def _size(arc: Expr) -> Expr:
+    """How large the sine and the cosine are of which an angle is that."""
+    assert isinstance(arc, Call), "an angle of a sine and a cosine"  # noqa: S101
+    return add(*(Call("abs", (part,)) for part in arc.arguments))
 
 
 def _arc_cosine(cosine: Expr) -> Expr:

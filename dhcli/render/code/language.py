@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import keyword
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 
 from dhcli.frozen import frozen
@@ -16,6 +16,7 @@ from dhcli.safe import comment, docstring
 
 Cells = Sequence[Sequence[str]]
 
+_WORD = regex(r"\w+")
 _FOREIGN = regex(r"[^A-Za-z0-9_]")
 TAKEN = frozenset(
     (
@@ -73,16 +74,19 @@ class Language:
         argument: One argument.
         preset: One with a value that it has by default; the same where a language has none.
         let: A name and its value.
+        choose: A name, a condition, its value where it holds, and its value elsewhere.
         end: What closes a function or a loop; nothing where indentation does.
         returned: The lines that give a matrix back: what gives its shape, its name, its cells.
         entry: An entry of a matrix that is given: its name, row and column.
         base: Number of the first row.
         signs: A loop over 1 and -1.
         turns: A loop over 0 and π.
+        quarters: A loop over the four right angles.
         skip: Leaves a round, or the function, if a condition holds: the condition, and the word for it.
         begin: Makes an empty list of solutions.
         append: Adds a row to it.
         finish: Gives it back.
+        unused: Says of an argument that it is not needed, where compilers ask.
     """
 
     name: str
@@ -93,16 +97,19 @@ class Language:
     argument: str
     preset: str
     let: str
+    choose: str
     end: str
     returned: Callable[[Sequence[str], str, Cells], list[str]]
     entry: str
     base: int
     signs: str
     turns: str
+    quarters: str
     skip: str
     begin: str
     append: str
     finish: str
+    unused: str = ""
 
     def spelling(self, names: Iterable[str]) -> Spelling:
         """A spelling for names, each an own one that the language accepts."""
@@ -138,11 +145,19 @@ class Language:
             said.append(words)
         if self.name == "matlab":
             body = [*_presets(len(arguments) - len(values), values, names), *body]
+        body = [*self._spare([*heading.joints, *heading.lengths], spelling, body), *body]
         inside = docstring(*said).split("\n") if self.mark == "#" and self.name != "julia" else []
         above = [] if inside else [comment(line, self.mark).rstrip("\n") for line in said]
         lines = [f"    {line}" if line else "" for line in (*inside, *body)]
         end = [self.end] if self.end else []
         return "\n".join([*self.first, *above, *first.split("\n"), *lines, *end]) + "\n"
+
+    def _spare(self, given: Iterable[str], spelling: Spelling, body: Sequence[str]) -> Iterator[str]:
+        """Lines for what is given and does not stand in the body."""
+        used = {word for line in body for word in _WORD.findall(line)} if self.unused else set[str]()
+        for name in given if self.unused else ():
+            if spelling.names[name] not in used:
+                yield self.unused.format(spelling.names[name])
 
 
 @frozen
@@ -186,6 +201,10 @@ class Spelling:
     def let(self, name: str, value: str) -> str:
         """A line that gives a name its value."""
         return self.language.let.format(self.names[name], value)
+
+    def choose(self, name: str, condition: str, value: str, other: str) -> str:
+        """A line that gives a name one value or another."""
+        return self.language.choose.format(self.names[name], condition, value, other)
 
 
 def decimal(value: float) -> str:

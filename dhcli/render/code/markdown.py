@@ -10,17 +10,19 @@ from dhcli.files.yaml.robot_line import robot_line
 from dhcli.kinematics.conventions import ORDER, Convention
 from dhcli.kinematics.robot import Robot
 from dhcli.render.look import Look
-from dhcli.render.text.robot import formula_rows
+from dhcli.render.text.robot import formula_rows, product_text
 from dhcli.safe import markdown, markdown_code, markdown_heading, one_line
 
 _INDENT = "    "
 
 
-def robot_markdown(robot: Robot, _look: Look) -> str:
+def robot_markdown(robot: Robot, look: Look) -> str:
     """The table with its cells as formulas, and the order of its moves under it; or the products."""
     is_product = robot.convention is Convention.PRODUCT
     if is_product:
-        products = ([str(link.number), markdown_code(link.product).replace("|", r"\|")] for link in robot.links)
+        products = (
+            [str(link.number), markdown_code(product_text(link, look)).replace("|", r"\|")] for link in robot.links
+        )
         rows = [["$i$", "$A_i$"], *products]
     else:
         rows = formula_rows(robot)

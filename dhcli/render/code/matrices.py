@@ -29,7 +29,8 @@ _SPELLING = {"csv": "sympy", "json": "sympy"}
 def entry(value: Expr | float, joints: Joints, look: Look) -> str:
     """One entry as its format spells it."""
     if isinstance(value, Expr):
-        return write(value, look.style or _SPELLING.get(look.format, look.format), joints)
+        text = write(value, look.style or _SPELLING.get(look.format, look.format), joints)
+        return look.shown(text) if look.format == "latex" else text
     if look.format == "latex":
         return look.number(value)
     return repr(exact(value))

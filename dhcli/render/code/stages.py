@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from dhcli.algebra.arithmetic import evaluate
@@ -27,6 +28,8 @@ class Stage:
         before: What there must be a root or an arc cosine of, if the step has one.
         value: Its value, or what stands before the sign.
         spread: What stands behind the sign, if anything does; the arc cosine of `before` where that is one.
+        instead: Its value where sine and cosine in the other say nothing, if the step has one.
+        ranges_later: Whether a step behind it has no value for some values of its unknown.
     """
 
     step: Step
@@ -34,6 +37,13 @@ class Stage:
     before: Expr | None
     value: Expr
     spread: Expr | None
+    instead: Expr | None
+    ranges_later: bool
+
+    @property
+    def is_tried(self) -> bool:
+        """Whether the unknown is tried in four places where it is free: not in all of them has a later one a value."""
+        return self.step.is_met_often and self.step.two == "opposite" and self.instead is None and self.ranges_later
 
     @property
     def has_cosine(self) -> bool:
@@ -54,6 +64,11 @@ class Stages:
     formulas: Written
     steps: tuple[Stage, ...]
     gaps: tuple[Expr, ...]
+
+    @property
+    def most(self) -> int:
+        """How many solutions there may be."""
+        return math.prod(4 if stage.is_tried else 2 if stage.step.two else 1 for stage in self.steps)
 
 
 def shared(result: Derivation) -> Stages:
@@ -80,18 +95,21 @@ def shared(result: Derivation) -> Stages:
     formulas = written(tape, numbers, indices)
     found = [[None if place is None else formulas.results[place] for place in row] for row in places]
     steps = tuple(
-        Stage(step, name, before, value, spread)
-        for step, name, (before, value, spread) in zip(result.steps, unknown, found, strict=True)
+        Stage(step, name, before, value, spread, instead, any(s.two == "plus-minus" for s in result.steps[k:]))
+        for k, (step, name, (before, value, spread, instead)) in enumerate(
+            zip(result.steps, unknown, found, strict=True), 1
+        )
         if value is not None
     )
     return Stages(formulas, steps, formulas.results[first:])
 
 
-def _parts(step: Step) -> tuple[Expr | None, Expr, Expr | None]:
-    """What must not be out of range, the value, and what stands behind the sign."""
+def _parts(step: Step) -> tuple[Expr | None, Expr, Expr | None, Expr | None]:
+    """What must not be out of range, the value, what stands behind the sign, and the value instead."""
     if step.two == "plus-minus" and isinstance(step.spread, Call):
-        return step.spread.arguments[0], step.value, None
-    return step.condition if step.two == "plus-minus" else None, step.value, step.spread
+        return step.spread.arguments[0], step.value, None, None
+    instead = None if step.instead is None else step.instead.value
+    return step.condition if step.two == "plus-minus" else None, step.value, step.spread, instead
 
 
 def lengths_used(result: Derivation) -> list[str]:

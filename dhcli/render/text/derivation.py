@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from textwrap import wrap
 from typing import Any
 
@@ -26,13 +25,10 @@ from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words, legend, packed
 from dhcli.render.text.prose import heading_text
 
-_PLACES = 6
-"""Decimals at most of a number that computing has left, such as the cosine of a tilted axis."""
-
 
 def derivation_table(result: Derivation, look: Look) -> str:
     """The steps from top to bottom."""
-    paper, few = look.paper, replace(look, places=_PLACES if look.digits is None else look.digits)
+    paper = look.paper
     given = "position px, py, pz" if result.place_only else "pose T, its entries r11 to r33, px, py, pz"
     where = f"{frame_words(result.end)} of {result.robot.name}, seen from {frame_words(result.start)}"
     lines = [
@@ -44,7 +40,7 @@ def derivation_table(result: Derivation, look: Look) -> str:
             "",
             heading_text(f"{number}. {atom_text(step.atom)}: {step.rule}, {SAID[step.rule]}", paper),
         ]
-        lines += [f"   {paper.spell(few.formula(line))}" for line in _step_lines(result, step, look)]
+        lines += [f"   {paper.spell(look.shown(line))}" for line in _step_lines(result, step, look)]
     for said in filter(None, (left_text(result, look.style or "short"), proof_text(result))):
         lines += ["", *wrap(paper.spell(said), paper.width)]
     return "\n".join(lines) + "\n"
@@ -92,6 +88,7 @@ def derivation_content(result: Derivation, _look: Look) -> dict[str, Any]:
                 "plus_minus": plain(step.spread),
                 "or_half_a_turn_more": step.two == "opposite",
                 "condition": plain(step.condition),
+                "instead": None if step.instead is None else plain(step.instead.value),
             }
             for step in result.steps
         ],

@@ -14,7 +14,7 @@ from dhcli.notation.walk import walk
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
-from dhcli.render.text.matrix import matrix_lines, vector_lines
+from dhcli.render.text.matrix import let_lines, matrix_lines, vector_lines
 from dhcli.render.text.prose import heading_text, prose_lines
 from dhcli.render.text.quantities import value_lines
 
@@ -24,9 +24,7 @@ AXES = ("p_x", "p_y", "p_z")
 def pose_table(result: ForwardKinematics, look: Look) -> str:
     """The pose between two frames."""
     lines = [heading(result.pose, result.robot.name, look), *context_lines(result, look)]
-    for one in result.definitions:
-        value = look.paper.spell(write(one.expr, look.style or "short", result.robot.writing))
-        lines.append(f"{look.paper.ink('let', 'dim')} {look.paper.ink(one.name, 'cyan')} = {value}")
+    lines += let_lines(result.definitions, result.robot.writing, look)
     lines += matrix_lines(result.pose.rows, result.robot.writing, look)
     if result.words:
         lines.append(look.paper.ink(", ".join(result.words), "dim"))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from dhcli.notation.let import Definition
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
@@ -26,7 +27,7 @@ _NUMBER = regex(r"-?[0-9.]+(e[-+]?[0-9]+)?")
 def cell(entry: Expr | float, joints: Joints, look: Look) -> str:
     """One entry for people: a formula, or a number rounded."""
     if isinstance(entry, Expr):
-        return look.formula(write(entry, look.style or "short", joints))
+        return look.shown(write(entry, look.style or "short", joints))
     return look.number(entry)
 
 
@@ -49,6 +50,13 @@ def matrix_lines(rows: Sequence[Sequence[Expr | float]], joints: Joints, look: L
         left, right = (paper.ink(paper.spell(side[kind]), "dim") for side in (_LEFT, _RIGHT))
         lines.append(f"{left} {(' ' * _GAP).join(inked)} {right}")
     return lines
+
+
+def let_lines(definitions: Sequence[Definition], joints: Joints, look: Look) -> list[str]:
+    """Names that stand in a matrix for brackets, one a line: `let k1 = a1 + a2*c2`."""
+    paper = look.paper
+    texts = ((one.name, paper.spell(cell(one.expr, joints, look))) for one in definitions)
+    return [f"{paper.ink('let', 'dim')} {paper.ink(name, 'cyan')} = {text}" for name, text in texts]
 
 
 def entry_lines(cells: Sequence[Sequence[str]], look: Look) -> list[str]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 import textwrap
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Any
 
 from dhcli.errors import plural
@@ -20,7 +19,7 @@ from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.motors import actuators_content
-from dhcli.render.text.quantities import in_units
+from dhcli.render.text.quantities import in_degrees, in_units
 from dhcli.render.text.table import Inked, table_text
 from dhcli.safe import csv_cell, latex
 
@@ -29,8 +28,6 @@ _BESIDES = 12
 """Columns of a table of products besides those of products and joints: numbers, gaps, a `*` at the end of a line."""
 _LEAST = 20
 """Columns that a product has, however narrow the terminal is."""
-_PLACES = 6
-"""Decimals at most of a number in a product that nobody has written so, such as a direction cosine of a skew axis."""
 _PROSE = 96
 """Columns at which notes are folded at most; longer lines are hard to read."""
 
@@ -71,10 +68,10 @@ def robot_csv(robot: Robot, _look: Look) -> str:
     return "".join(lines)
 
 
-def robot_latex(robot: Robot, _look: Look) -> str:
+def robot_latex(robot: Robot, look: Look) -> str:
     """The table for a paper."""
     if robot.convention is Convention.PRODUCT:
-        rows = [[str(link.number), rf"\texttt{{{latex(link.product)}}}"] for link in robot.links]
+        rows = [[str(link.number), rf"\texttt{{{latex(product_text(link, look))}}}"] for link in robot.links]
         titles = ["$i$", "product"]
     else:
         titles, *rows = formula_rows(robot)
@@ -138,16 +135,20 @@ def _row(robot: Robot, link: Link, style: str) -> list[str]:
     return cells
 
 
+def product_text(link: Link, look: Look) -> str:
+    """A link's product, as somebody has written it, else with few decimals."""
+    return look.formula(link.product) if link.text else look.shown(link.product)
+
+
 def links_table(robot: Robot, look: Look) -> str:
     """The DH table with the order of its operations, or the products."""
     paper = look.paper
-    few = replace(look, places=_PLACES) if look.places is None else look  # what nobody has written
     rows: list[list[str]] = []
     is_product = robot.convention is Convention.PRODUCT
     kinds = [_kind(robot, link) for link in robot.links]
     room = paper.width - max(map(len, kinds), default=0) - _BESIDES if is_product and paper.terminal else None
     for link, kind in zip(robot.links, kinds, strict=True):
-        product = look.formula(link.product) if link.text else few.formula(link.product)
+        product = product_text(link, look)
         cells, *more = [[product]] if link.row is None else [list(map(look.formula, _row(robot, link, "short")))]
         if room is not None:
             cells, *more = ([line] for line in _in_lines(product, room))
@@ -190,7 +191,7 @@ def _joints(robot: Robot, look: Look) -> str:
     rows = []
     for joint in robot.joints:
         low, high = (
-            (value_text(limit) for limit in robot.limits[joint.name]) if joint.name in robot.limits else ("", "")
+            (in_degrees(limit) for limit in robot.limits[joint.name]) if joint.name in robot.limits else ("", "")
         )
         rows.append([joint.name, low, high])
     return table_text(["limits", "from", "to"], rows, look.paper)
@@ -222,7 +223,7 @@ def _formula(robot: Robot, name: str) -> str:
 def _poses(robot: Robot, look: Look) -> str:
     if not robot.poses:
         return ""
-    rows = [[name, *map(value_text, values)] for name, values in robot.poses.items()]
+    rows = [[name, *map(in_degrees, values)] for name, values in robot.poses.items()]
     return table_text(["pose", *robot.variables], rows, look.paper)
 
 

@@ -16,7 +16,7 @@ from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words, legend, packed
-from dhcli.render.text.matrix import cell, matrix_lines, vector_lines
+from dhcli.render.text.matrix import cell, let_lines, matrix_lines, vector_lines
 from dhcli.render.text.prose import heading_text
 from dhcli.render.text.quantities import value_lines
 
@@ -29,9 +29,7 @@ def jacobian_table(result: JacobianAnswer, look: Look) -> str:
     found, paper, joints = result.jacobian, look.paper, result.robot.writing
     lines = [heading_text(title(result), paper)]
     lines += [paper.ink(line, "dim") for line in packed(map(paper.spell, _said(result, look)), paper)]
-    for one in result.definitions:
-        value = paper.spell(write(one.expr, look.style or "short", joints))
-        lines.append(f"{paper.ink('let', 'dim')} {paper.ink(one.name, 'cyan')} = {value}")
+    lines += let_lines(result.definitions, joints, look)
     lines += _matrix(result, look)
     if found.form.analytic and found.is_symbolic:
         triple = Triple.called(found.form.analytic)

@@ -91,6 +91,7 @@ def test_a_length_is_shown_with_its_decimals() -> None:
         ("{theta1: 20°..70° n 20001}", 31, "these are 20,001 values"),
         ("{theta1: 20°..70° n}", 20, "'20°..70° n' is no range"),
         ("{theta1: 20° to 70°}", 20, "'20° to 70°' is no range (write 20°..70° step 5°, or a list of values)"),
+        ("{theta1: 10..60}", 20, "'10..60' is no range (write 10°..60° step 5°, or a list of values)"),
         ("{theta1: 20°..70°}", 20, "'20°..70°' is no range"),
         ("{theta1: []}", 20, "the list is empty"),
         ("{theta1: [20°, 20°]}", 26, "20° stands twice"),

@@ -79,6 +79,8 @@ def test_the_digits_of_a_row_say_how_much_they_leave_open() -> None:
     decimals = [slack_of(np.round(turned, n), "pose") for n in (3, 4, 6)]
     assert decimals == pytest.approx([5e-4, 5e-5, 5e-7])
     assert slack_of(turned, "pose") == slack_of(plain, "pose") == 0.0
+    turned[:3, 3] = np.round(turned[:3, 3], 4)  # as a row of a position and a quaternion has it
+    assert slack_of(turned, "pose") == pytest.approx(5e-5)
 
 
 def test_an_arm_with_joints_enough_is_not_asked_again() -> None:

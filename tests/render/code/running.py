@@ -81,7 +81,7 @@ def by_compiler(calls: Sequence[Call], folder: Path) -> list[Any]:
     """One library of them all."""
     source, library = folder / "functions.c", folder / "functions.so"
     source.write_text("\n".join(call.renamed(k) for k, call in enumerate(calls)), "utf-8")
-    flags = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-Wno-unused-parameter", "-shared", "-fPIC"]
+    flags = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-shared", "-fPIC"]
     subprocess.run([str(shutil.which("cc")), *flags, "-o", str(library), str(source), "-lm"], check=True)
     loaded, found = ctypes.CDLL(str(library)), []
     for k, call in enumerate(calls):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import random
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -52,7 +54,7 @@ def call(derivation: Derivation, language: str, pose: np.ndarray, lengths: Seque
     """The function with a pose, and the lengths that C has no values for by default."""
     robot = derivation.robot
     joints = sum(name_of(step.atom) in robot.variables for step in derivation.steps)
-    shape = (derivation.branches, joints)
+    shape = (shared(derivation).most, joints)
     own = [float(robot.parameters[n].value) for n in lengths_used(derivation)]  # type: ignore[union-attr]  # numbers
     given = [*(lengths or own), 1e-3] if derivation.left else lengths or own
     return Call(code(derivation, language), "inverse", given if language == "c" else lengths, shape, pose.tolist())
@@ -170,6 +172,59 @@ STRETCHED = {
     "puma560": (0.3, 0.2, -1.5707963267948966, 0, 0, 0),
 }
 """Joint values at which an elbow or a wrist is stretched, where rounding may put a cosine beyond 1."""
+
+
+SPECIAL = (0.0, math.pi / 2, -math.pi / 2, math.pi, math.pi / 4, 0.7)
+"""Angles at which arms are stretched, and their hands stand straight or square."""
+
+
+@cache
+def special_poses() -> list[tuple[str, np.ndarray, Solutions]]:
+    """Five-joint arms at right angles and stretched, and the hand of one above its base; with what the engine has."""
+    draw, found = random.Random(4), []  # noqa: S311  a fixed seed, for the same poses every time
+    for name in FIVE:
+        rows = [[draw.choice(SPECIAL) for _ in range(5)] for _ in range(5)] + [[0.0] * 5]
+        if name == FIVE[0]:
+            a1, a2, a3, d5 = (float(load_robot(name).parameters[x].value) for x in ("a1", "a2", "a3", "d5"))  # type: ignore[union-attr]  # numbers
+            reach = a1 + a2 * math.cos(2.271) + a3 * math.cos(2.271 - 2.386)
+            rows.append([0.7, 2.271, -2.386, math.asin(-reach / d5) - 2.271 + 2.386, -0.6])
+        for q in rows:
+            pose = np.round(np.array(forward(load_robot(name), q).matrix), 13) + 0.0
+            found.append((name, pose, inverse(load_robot(name), pose)))
+    return found
+
+
+@pytest.mark.parametrize("language", HERE)
+def test_no_solution_is_missing_at_special_poses_of_five_joints(language: str, tmp_path: Path) -> None:
+    """Each that the engine has, and one of each family; what comes back reaches the pose."""
+    poses = special_poses()
+    calls = [call(derived(name), language, pose) for name, pose, _ in poses]
+    for (name, pose, engine), rows in zip(poses, results(language, calls, tmp_path), strict=True):
+        for row in rows:
+            assert np.abs(np.array(forward(load_robot(name), list(row)).matrix) - pose).max() < 1e-6, name
+        turned = np.exp(1j * np.array(rows)).reshape(-1, 5)
+        alone = [q for q, free in zip(engine.q, engine.free, strict=True) if not free]
+        assert all(np.abs(turned - np.exp(1j * q)).max(axis=1).min() < 1e-5 for q in alone), (name, pose)
+        assert len(rows) >= len(engine) > 0
+
+
+@pytest.mark.parametrize("language", HERE)
+def test_a_free_sum_is_tried_where_a_later_joint_has_no_value_for_some(language: str, tmp_path: Path) -> None:
+    """A UR5e, its wrist in line and its elbow nearly stretched: not every sum of the parallel joints is in reach."""
+    poses = []
+    draw = random.Random(5)  # noqa: S311  a fixed seed, for the same poses every time
+    while len(poses) < 12:
+        q = [draw.uniform(-3, 3) for _ in range(6)]
+        q[4] = 0.0
+        q[2] = draw.choice((0.2, -0.2))
+        poses.append(np.round(np.array(forward(load_robot("ur5e"), q).matrix), 13) + 0.0)
+    calls = [call(derived("ur5e"), language, pose) for pose in poses]
+    found = results(language, calls, tmp_path)
+    for pose, rows in zip(poses, found, strict=True):
+        assert len(rows) <= 16
+        for row in rows:
+            assert np.abs(np.array(forward(load_robot("ur5e"), list(row)).matrix) - pose).max() < 1e-6
+    assert sum(len(rows) > 0 for rows in found) == 11  # 10 without
 
 
 @cache
