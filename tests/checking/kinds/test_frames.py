@@ -244,7 +244,7 @@ frame 3 o = (a+b, 0, 0) x = +x y = −z z = +y
 """
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "answer",
     [
         ZHOU,
