@@ -58,6 +58,17 @@ class Call:
         return f"{self.name}_{number}({', '.join([*given, *map(repr, self.numbers)])})"
 
 
+def numbered(calls: Sequence[Call]) -> list[tuple[int, Call]]:
+    """Calls, each with the number of its function: those of one file share it."""
+    first: dict[str, int] = {}
+    return [(first.setdefault(call.code, k), call) for k, call in enumerate(calls)]
+
+
+def functions(calls: Sequence[Call]) -> str:
+    """The functions that are called, each once, under the names that go with their numbers."""
+    return "\n".join(call.renamed(k) for k, call in dict(numbered(calls)).items())
+
+
 def results(language: str, calls: Sequence[Call], folder: Path) -> list[Any]:
     """The matrices that the functions give, all of them by one start of the language."""
     if language in ("python", "numpy"):
@@ -80,11 +91,11 @@ def by_python(call: Call) -> Any:  # noqa: ANN401
 def by_compiler(calls: Sequence[Call], folder: Path) -> list[Any]:
     """One library of them all."""
     source, library = folder / "functions.c", folder / "functions.so"
-    source.write_text("\n".join(call.renamed(k) for k, call in enumerate(calls)), "utf-8")
+    source.write_text(functions(calls), "utf-8")
     flags = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-shared", "-fPIC"]
     subprocess.run([str(shutil.which("cc")), *flags, "-o", str(library), str(source), "-lm"], check=True)
     loaded, found = ctypes.CDLL(str(library)), []
-    for k, call in enumerate(calls):
+    for k, call in numbered(calls):
         rows, columns = call.shape
         matrix = (ctypes.c_double * columns * rows)()
         given = [(ctypes.c_double * 4 * 4)(*map(tuple, call.pose))] if call.pose else []
@@ -95,17 +106,17 @@ def by_compiler(calls: Sequence[Call], folder: Path) -> list[Any]:
 
 def by_node(calls: Sequence[Call], folder: Path) -> list[Any]:
     """One script of them all."""
-    script = "'use strict';\n" + "\n".join(call.renamed(k) for k, call in enumerate(calls))
-    said = ", ".join(call.spoken(k, ("[[", "], [", "]]", ", ")) for k, call in enumerate(calls))
+    script = "'use strict';\n" + functions(calls)
+    said = ", ".join(call.spoken(k, ("[[", "], [", "]]", ", ")) for k, call in numbered(calls))
     script += f"\nconsole.log(JSON.stringify([{said}]));\n"
     return read_back(["node"], folder / "functions.js", script)
 
 
 def by_octave(calls: Sequence[Call], folder: Path) -> list[Any]:
     """One script; the functions stand before what calls them."""
-    script = "1;\n" + "\n".join(call.renamed(k) for k, call in enumerate(calls)) + "\n"
+    script = "1;\n" + functions(calls) + "\n"
     said = ["printf('[');"]
-    for k, call in enumerate(calls):
+    for k, call in numbered(calls):
         said += [f"M = {call.spoken(k)};", "printf('[');"]
         said += ["for row = 1:size(M, 1), printf('[%s],', strjoin(compose_row(M(row, :)), ',')); end", "printf('0],');"]
     script += (
@@ -119,10 +130,10 @@ def by_octave(calls: Sequence[Call], folder: Path) -> list[Any]:
 
 def by_julia(calls: Sequence[Call], folder: Path) -> list[Any]:
     """One script of them all."""
-    script = "\n".join(call.renamed(k) for k, call in enumerate(calls))
+    script = functions(calls)
     script += "\nrows(M::Matrix) = [[M[i, k] for k in 1:size(M, 2)] for i in 1:size(M, 1)]\nrows(M::Vector) = M"
     script += "\nsaid(M) = string('[', join([string('[', join(row, ','), ']') for row in rows(M)], ','), ']')"
-    said = [f"print(said({call.spoken(k)}), ',')" for k, call in enumerate(calls)]
+    said = [f"print(said({call.spoken(k)}), ',')" for k, call in numbered(calls)]
     return read_back(
         ["julia", "--startup-file=no"], folder / "functions.jl", "\n".join([script, "print('[')", *said, 'print("0]")'])
     )[:-1]

@@ -45,8 +45,9 @@ def derived(name: str, *, in_its_numbers: bool = False) -> Derivation:
     return derive(with_own_values(load_robot(name)) if in_its_numbers else load_robot(name))
 
 
+@cache
 def code(derivation: Derivation, language: str) -> str:
-    """The file."""
+    """The file, which many poses are put into."""
     return inverse_code(derivation, Look(language))
 
 
