@@ -103,7 +103,7 @@ class Coordinates:
             return ends[1][0] - ends[0][0], ends[1][1] - ends[0][1], ends[1][2] - ends[0][2]
         between = _BETWEEN.fullmatch(node.text)
         hint = "write x, -y, [1, 0, 1], or A to B"
-        if letter.lower() in ALONG:
+        if axis_called(node.text.lower()):
             hint = f"write {node.text.lower()}"
         elif between and {*between.groups()} <= self.points.keys():
             hint = f"write {between[1]} to {between[2]}"

@@ -48,7 +48,7 @@ def derived(name: str, *, in_its_numbers: bool = False) -> Derivation:
 
 @cache
 def code(derivation: Derivation, language: str) -> str:
-    """The file."""
+    """The file, which many poses are put into."""
     return inverse_code(derivation, Look(language))
 
 
