@@ -129,6 +129,17 @@ def listed(names: Sequence[str], most: int = 12) -> str:
     return ", ".join(names[:most]) + more
 
 
+def joined(words: Sequence[str], last: str = "and") -> str:
+    """`a, b and c`; one word stands by itself."""
+    *before, end = words
+    return f"{', '.join(before)} {last} {end}" if before else end
+
+
+def bug(error: Exception, hint: str = "") -> Problem:
+    """What is said of an error that no user can cause."""
+    return Problem(f"this is a bug in dhcli: {type(error).__name__}: {error}", hint=hint)
+
+
 def nearest(name: str, known: Iterable[str], most: int = 3, cutoff: float = 0.5) -> tuple[str, ...]:
     """The known names most like a mistyped one, best first.
 

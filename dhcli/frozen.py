@@ -7,10 +7,10 @@ pattern matching), with the same six functions as closures over the names of the
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import _FIELD, MISSING, Field, FrozenInstanceError, field, fields, replace  # type: ignore[attr-defined]
 from functools import cached_property
-from operator import attrgetter
+from operator import attrgetter, methodcaller
 from types import FunctionType, SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, cast, dataclass_transform
 
@@ -88,40 +88,73 @@ def _init(cls: type, found: Sequence[Field[Any]]) -> Callable[..., None]:
     """What takes the values of the fields, by position or by name."""
     taken = [each for each in found if each.init]
     names = tuple(each.name for each in taken)
-    puts = [getattr(cls, each.name).__set__ for each in taken]
-    is_finished = hasattr(cls, "__post_init__")
-    if not is_finished and 1 <= len(taken) == len(found) <= len(_PLAIN) and all(map(_is_plain, found)):
-        plain = _PLAIN[len(found) - 1](*puts)
-        defaults = tuple(each.default for each in found if each.default is not MISSING)
+    defaults = {each.name: each.default for each in taken if each.default is not MISSING or _is_made(each)}
+    puts = [_put(cls, each) for each in taken]
+    finish = _finish(cls, found)
+    if 1 <= len(puts) <= len(_PLAIN):
+        if finish:
+            puts[-1] = _last(puts[-1], finish)
+        plain = _PLAIN[len(puts) - 1](*puts)
         # The names of the parameters are data of the compiled function: this renames them, and compiles nothing.
-        names = ("self", *names)
-        code = plain.__code__.replace(co_varnames=names, co_name="__init__", co_qualname=f"{cls.__qualname__}.__init__")
-        return FunctionType(code, plain.__globals__, "__init__", defaults, plain.__closure__)
-    made = [(getattr(cls, each.name).__set__, each) for each in found if not each.init]
+        own = ("self", *names)
+        code = plain.__code__.replace(co_varnames=own, co_name="__init__", co_qualname=f"{cls.__qualname__}.__init__")
+        return FunctionType(code, plain.__globals__, "__init__", tuple(defaults.values()), plain.__closure__)
     wanted = {*names}
 
     def __init__(self: object, *values: object, **named: object) -> None:  # noqa: N807
         if not values and named.keys() == wanted:  # as `replace` gives them
             values = tuple(map(named.__getitem__, names))
-        elif named or len(values) != len(taken):
-            values = _arranged(type(self).__qualname__, taken, values, named)
+        elif named or len(values) != len(names):
+            values = _arranged(type(self).__qualname__, names, defaults, values, named)
         for put, value in zip(puts, values, strict=True):
             put(self, value)
-        for put, each in made:
-            if each.default_factory is not MISSING:
-                put(self, each.default_factory())
-        if is_finished:
-            self.__post_init__()  # type: ignore[attr-defined]  # an heir may have its own
+        if finish:
+            finish(self)
 
     return __init__
 
 
+def _is_made(each: Field[Any]) -> bool:
+    return each.default_factory is not MISSING
+
+
+def _put(cls: type, each: Field[Any]) -> _Put:
+    """What sets a field past the lock; where the value is missing, what its factory makes."""
+    put: _Put = getattr(cls, each.name).__set__
+    make: Any = each.default_factory
+
+    def put_or_make(self: object, value: object) -> None:
+        put(self, make() if value is MISSING else value)
+
+    return put_or_make if _is_made(each) else put
+
+
+def _finish(cls: type, found: Sequence[Field[Any]]) -> Callable[[object], object] | None:
+    """What sets the fields that nobody gives, and lets the class have the last word; None if there is nothing to do."""
+    made = [_put(cls, each) for each in found if not each.init and _is_made(each)]
+    ends = methodcaller("__post_init__") if hasattr(cls, "__post_init__") else None  # an heir may have its own
+
+    def finish(self: object) -> None:
+        for put in made:
+            put(self, MISSING)
+        if ends:
+            ends(self)
+
+    return finish if made else ends
+
+
+def _last(put: _Put, finish: Callable[[object], object]) -> _Put:
+    """What sets the last field that is given, and finishes."""
+
+    def put_and_finish(self: object, value: object) -> None:
+        put(self, value)
+        finish(self)
+
+    return put_and_finish
+
+
 def _fields(of: object) -> tuple[Field[Any], ...]:
     return fields(of)  # type: ignore[arg-type]
-
-
-def _is_plain(each: Field[Any]) -> bool:
-    return each.default_factory is MISSING
 
 
 def _init_1(a: _Put) -> FunctionType:
@@ -186,29 +219,30 @@ _PLAIN: tuple[Callable[..., FunctionType], ...] = (_init_1, _init_2, _init_3, _i
 
 
 def _arranged(
-    owner: str, taken: Sequence[Field[Any]], values: tuple[object, ...], named: dict[str, object]
+    owner: str,
+    names: Sequence[str],
+    defaults: Mapping[str, object],
+    values: Sequence[object],
+    named: dict[str, object],
 ) -> tuple[object, ...]:
     """The value of each field, in their order.
 
     Raises:
         TypeError: As Python raises it: a value too many, one missing, a name that is none.
     """
-    if len(values) > len(taken):
-        raise TypeError(f"{owner}.__init__() takes {len(taken)} values, and {len(values)} are given")
+    if len(values) > len(names):
+        raise TypeError(f"{owner}.__init__() takes {len(names)} values, and {len(values)} are given")
     arranged, missing = list(values), []
-    for each in taken[len(values) :]:
-        if each.name in named:
-            arranged.append(named.pop(each.name))
-        elif each.default is not MISSING:
-            arranged.append(each.default)
-        elif each.default_factory is not MISSING:
-            arranged.append(each.default_factory())
+    for name in names[len(values) :]:
+        if name in named:
+            arranged.append(named.pop(name))
+        elif name in defaults:
+            arranged.append(defaults[name])
         else:
-            missing.append(repr(each.name))
+            missing.append(repr(name))
     if named:
         name = next(iter(named))
-        is_twice = any(name == each.name for each in taken)
-        said = "multiple values for argument" if is_twice else "an unexpected keyword argument"
+        said = "multiple values for argument" if name in names else "an unexpected keyword argument"
         raise TypeError(f"{owner}.__init__() got {said} {name!r}")
     if missing:
         raise TypeError(f"{owner}.__init__() is missing {', '.join(missing)}")
@@ -250,13 +284,13 @@ def _delattr(_self: object, name: str) -> None:
     raise FrozenInstanceError(f"cannot delete field {name!r}")
 
 
-def _getstate(self: object) -> list[object]:
-    return [getattr(self, each.name) for each in _fields(self)]
+def _getstate(self: Any) -> list[object]:  # noqa: ANN401  one of whatever class is made here
+    return [getattr(self, name) for name in self.__dataclass_fields__]
 
 
-def _setstate(self: object, state: Iterable[object]) -> None:
-    for each, value in zip(_fields(self), state, strict=True):
-        object.__setattr__(self, each.name, value)
+def _setstate(self: Any, state: Iterable[object]) -> None:  # noqa: ANN401  the same
+    for name, value in zip(self.__dataclass_fields__, state, strict=True):
+        object.__setattr__(self, name, value)
 
 
 class _Signature:

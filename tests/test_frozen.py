@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 
 from dhcli import inverse, load_robot
 from dhcli.frozen import frozen
+from tests.row_by_row import row_by_row
 
 T = TypeVar("T")
 slotted = dataclass(frozen=True, slots=True)
@@ -120,7 +121,7 @@ REFUSED: tuple[tuple[str, tuple[object, ...], dict[str, object]], ...] = (
 )
 
 
-@pytest.mark.parametrize(("name", "values", "named"), CALLS)
+@row_by_row(("name", "values", "named"), CALLS)
 def test_it_holds_and_says_what_a_dataclass_does(
     name: str, values: tuple[object, ...], named: dict[str, object]
 ) -> None:
@@ -136,8 +137,8 @@ def test_it_holds_and_says_what_a_dataclass_does(
     assert not hasattr(ours, "__dict__")
 
 
-@pytest.mark.parametrize(("name", "values", "named"), REFUSED)
-@pytest.mark.parametrize("classes", [OURS, THEIRS], ids=["ours", "theirs"])
+@row_by_row(("name", "values", "named"), REFUSED)
+@row_by_row("classes", [OURS, THEIRS])
 def test_what_is_given_wrongly_is_refused(
     classes: dict[str, Any], name: str, values: tuple[object, ...], named: dict[str, object]
 ) -> None:
@@ -165,7 +166,7 @@ def test_what_is_made_anew_each_time_can_be_left_out_by_the_signature() -> None:
     assert ours == theirs
 
 
-@pytest.mark.parametrize(("name", "values", "named"), CALLS)
+@row_by_row(("name", "values", "named"), CALLS)
 def test_a_field_stays_what_it_is(name: str, values: tuple[object, ...], named: dict[str, object]) -> None:
     """Nor does one come that is none."""
     value = OURS[name](*values, **named)

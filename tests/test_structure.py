@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from functools import cache
+import re
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1] / "dhcli"
@@ -20,25 +20,24 @@ def module_of(path: Path) -> str:
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
 
-@cache
-def trees() -> dict[str, ast.Module]:
-    """Every module, read once."""
-    return {module_of(path): ast.parse(path.read_text("utf-8")) for path in ROOT.rglob("*.py")}
+def texts() -> dict[str, str]:
+    """Every module as it is written; to parse them all takes seconds."""
+    return {module_of(path): path.read_text("utf-8") for path in ROOT.rglob("*.py")}
 
 
-@cache
-def imports() -> dict[str, frozenset[str]]:
+IMPORT = re.compile(r"^[ \t]*(?:from ([\w.]+) import (?:\(([^)]*)\)|([^\n(]+))|import ([\w., ]+))", re.MULTILINE)
+"""A statement as the formatter writes it: the module, and its names in brackets or on a line, or modules alone."""
+
+
+def imports(files: dict[str, str]) -> dict[str, frozenset[str]]:
     """Every module with the modules of the package that it names, wherever in the file the import stands."""
-    files = trees()
     found: dict[str, frozenset[str]] = {}
-    for name, tree in files.items():
+    for name, text in files.items():
         named: set[str] = set()
-        for node in ast.walk(tree):
-            if isinstance(node, ast.Import):
-                named |= {alias.name for alias in node.names}
-            elif isinstance(node, ast.ImportFrom) and node.module:
-                inner = {f"{node.module}.{alias.name}" for alias in node.names} & files.keys()
-                named |= inner or {node.module}
+        for module, many, few, alone in IMPORT.findall(text):
+            names = re.findall(r"(?:^|,)\s*([\w.]+)", re.sub(r"#.*", "", many or few or alone))
+            inner = {f"{module}.{each}" for each in names} & files.keys()
+            named |= (inner or {module}) if module else set(names)
         found[name] = frozenset(named & files.keys() - {name})
     return found
 
@@ -72,7 +71,7 @@ def rings(graph: dict[str, frozenset[str]]) -> list[frozenset[str]]:
 
 def test_no_files_import_each_other_in_a_ring() -> None:
     """A file can be understood with those below it alone; so whatever is needed on both sides stands below both."""
-    assert [sorted(ring) for ring in rings(imports()) if not any(ring <= known for known in KNOWN)] == []
+    assert [sorted(ring) for ring in rings(imports(texts())) if not any(ring <= known for known in KNOWN)] == []
 
 
 def test_a_ring_would_be_found() -> None:
@@ -80,6 +79,25 @@ def test_a_ring_would_be_found() -> None:
     graph = {"a": frozenset("b"), "b": frozenset("c"), "c": frozenset("ad"), "d": frozenset("e"), "e": frozenset()}
     assert rings(graph) == [frozenset("abc")]
     assert rings({"a": frozenset("c"), "b": frozenset("c"), "c": frozenset()}) == []
+
+
+def test_an_import_would_be_found() -> None:
+    """Wherever it stands and however it is written: for types alone, in a function, in brackets with a remark."""
+    files = {
+        "a": "import os, b\n\nif TYPE_CHECKING:\n    from b.c import D, E as F\n",
+        "b": 'def f():\n    """Words from a book."""\n    from b import c\n',
+        "b.c": "from b import (\n    d,  # a remark, and a\n    e as g,\n    h,\n)\n",
+        **dict.fromkeys(("b.d", "b.e", "b.h"), "from b.d import a"),
+    }
+    found = imports(files)
+    assert {name: " ".join(sorted(named)) for name, named in found.items()} == {
+        "a": "b b.c",
+        "b": "b.c",
+        "b.c": "b.d b.e b.h",
+        "b.d": "",
+        "b.e": "b.d",
+        "b.h": "b.d",
+    }
 
 
 def frozen_otherwise(tree: ast.Module) -> list[str]:
@@ -95,7 +113,7 @@ def frozen_otherwise(tree: ast.Module) -> list[str]:
 
 def test_what_is_frozen_is_made_by_the_one_maker() -> None:
     """`@frozen` compiles nothing, and what it makes inherits from its own kind alone."""
-    found = {name: frozen_otherwise(tree) for name, tree in trees().items()}
+    found = {name: frozen_otherwise(ast.parse(text)) for name, text in texts().items() if "frozen=" in text}
     assert not {name: classes for name, classes in found.items() if classes}
     example = ast.parse("@dataclass(frozen=True)\nclass A: ...\n@frozen\nclass B: ...")
     assert frozen_otherwise(example) == ["A"]

@@ -17,7 +17,7 @@ from dhcli.checking.verdicts import Verdict
 from dhcli.kinematics.robot import Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.dimensions import INVERSE, has_units
-from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS, Bare, DimensionError, to_length
+from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS, RADIANS, Bare, DimensionError, to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import (
     ONE,
@@ -38,7 +38,6 @@ from dhcli.notation.tree import (
 from dhcli.notation.walk import rebuild, symbols
 from dhcli.notation.writer import write
 
-RADIANS = ("rad", "radian", "radians")
 SHOWN_DIGITS = 4
 
 EXACT = Tolerance(angle=1e-10)

@@ -10,7 +10,7 @@ from typing import TypeAlias
 from dhcli.algebra.floats import Floats
 from dhcli.checking.blanks import refuse_one_expression
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, without_label
+from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, refuse_long, without_label
 from dhcli.checking.truth import is_length, names_of
 from dhcli.checking.units import has_length_unit, length_in_metres
 from dhcli.checking.vectors import as_column
@@ -27,7 +27,6 @@ from dhcli.notation.tree import ONE, ZERO, Expr, Number, number
 from dhcli.notation.walk import decimals, symbols
 from dhcli.regex import regex
 
-LARGEST = 256_000
 _MOVES = regex(r"\s*(?:Rot|Trans)_?\{?[xyz]?\}? ?\(")
 LEAST = 1e-12
 """What floating point leaves where an exact 0 or 1 was meant."""
@@ -62,8 +61,7 @@ def read_entries(question: Wanted, exercise: Exercise, text: str, place: Place |
     Raises:
         UnreadableError: It has another shape, an unknown name, or cannot be read.
     """
-    if len(text) > LARGEST:
-        raise UnreadableError(f"the answer has {len(text)} characters, more than the {LARGEST} that are read")
+    refuse_long(text)
     body = without_label(as_matrix(text, question.shape), question.shape)
     refuse_blanks(body)
     if _MOVES.match(body):

@@ -320,7 +320,8 @@ class Exercise:
 
     def __post_init__(self) -> None:
         """Work out what follows from the rest."""
-        object.__setattr__(self, "scope", answer_scope(self.robot, (*self.given, *self.names)))
+        said = (self.task, *(part.prompt for part in self.parts))
+        object.__setattr__(self, "scope", answer_scope(self.robot, (*self.given, *self.names), said))
         object.__setattr__(self, "values", self.known if self.numeric else self.given)
 
     @property
@@ -367,6 +368,11 @@ class Exercise:
     def typed(self) -> str:
         """What is typed behind a command to mean it: its id, and its variant."""
         return f"{self.id} --variant {shlex.quote(self.variant)}" if self.variant else self.id
+
+    @property
+    def file_name(self) -> str:
+        """What a file about it is called, without its ending."""
+        return self.id.split("/")[-1]
 
     @property
     def asked(self) -> tuple[Part, ...]:

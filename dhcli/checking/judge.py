@@ -9,6 +9,7 @@ from typing import Any
 from dhcli.checking.diagnosis.result import Diagnosis, Slip
 from dhcli.checking.earning import earned
 from dhcli.checking.exercise import MISPRINTED, Case, Exercise, Memo, Part
+from dhcli.checking.letters import numbers_for_letters
 from dhcli.checking.lists import unit_for_all
 from dhcli.checking.marked import PartMark, SheetMark
 from dhcli.checking.other_unit import WrongUnitError
@@ -197,6 +198,7 @@ class Judge:
                 causes = part.question.causes(case, reading)
             except (UnreadableError, DhcliError):  # what cannot be read has been told already
                 causes = ()
+        causes = causes or numbers_for_letters(case, reading.text)
         if not causes:
             return part.question.told(case, mark, reading)
         remarks = tuple(remark for remark in mark.remarks if not _names_slip(remark))

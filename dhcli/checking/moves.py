@@ -105,8 +105,7 @@ class Comparison:
 
     def _same_angle(self, one: Angle, other: Angle) -> bool:
         """Modulo a full turn, and within the tolerance of angles where both have a value."""
-        known = {name: value for name, value in self.exercise.values.items() if isinstance(value, Angle)}
-        apart = one.substitute(known) - other.substitute(known)
+        apart = one.substitute(self.exercise.values) - other.substitute(self.exercise.values)
         if apart.terms:
             return False
         degrees = float(apart.degrees % FULL_TURN) + math.degrees(float(apart.radians))

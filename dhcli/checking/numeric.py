@@ -35,6 +35,7 @@ from dhcli.checking.truth import Truth, is_length
 from dhcli.checking.verdicts import (
     AGREEING,
     INVERSE,
+    TO_DIGITS,
     TOO_FEW,
     TRANSPOSED,
     UNSOLVED,
@@ -112,7 +113,7 @@ def mark_numbers(
         verdict = Verdict.ROUNDED
     if verdict is Verdict.ROUNDED:
         cells = tuple(replace(c, verdict=Verdict.ROUNDED) if c.verdict is not Verdict.RIGHT else c for c in cells)
-        remarks: tuple[str, ...] = ("right to the digits typed; more digits are wanted",)
+        remarks: tuple[str, ...] = (TO_DIGITS,)
     else:
         remarks = _remarks(question, truth.numbers, typed, cells, exercise, _slack(entries))
         if verdict is not Verdict.RIGHT and _is_rounded(question, truth, entries, typed, limits, unit, least=0):

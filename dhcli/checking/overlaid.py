@@ -1,16 +1,21 @@
-"""The frame that a matrix, a rotation or a position puts over the arm, where another frame of it is."""
+"""What an answer puts over the arm: frames, or the one of a matrix, a rotation or a position."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.entries import Entries
 from dhcli.checking.exercise import Exercise
+from dhcli.checking.frames.reading import TypedFrame
+from dhcli.checking.frames.rules import Rules
+from dhcli.checking.frames.sketch import at_values
 from dhcli.checking.returned import Overlaid
 from dhcli.checking.wanted import Wanted
 from dhcli.geometry.vectors import Vector
 from dhcli.kinematics.frames import View
+from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.traced import Traced
@@ -45,6 +50,18 @@ def overlaid_matrix(exercise: Exercise, question: Wanted, entries: Entries, valu
     frame = Frame(x, y, z, origin)
     shown = next(name for name, state in reversed(skeleton.numbered) if skeleton.states[state] is place[end])
     return Overlaid(robot, Traced("your answer", ((end, frame),), (origin,), ((shown, end),)), values)
+
+
+def overlaid_frames(rules: Rules, typed: Sequence[TypedFrame], robot: Robot, values: Values) -> Overlaid:
+    """The frames, the first that breaks a rule marked."""
+    over, broken = Floats(numbers(values)), rules.broken(typed)
+    frames = [
+        (str(rules.sketch.first + k), Frame(one.frame.x, one.frame.y, one.frame.z, at_values(one.frame.origin, over)))
+        for k, one in enumerate(typed)
+    ]
+    wrong = frames[broken[0].frame][0] if broken else None
+    line = tuple(frame.origin for _, frame in frames)
+    return Overlaid(robot, Traced("your frames", tuple(frames), line, (), wrong=wrong), values)
 
 
 def _states(frames: tuple[str, ...], skeleton: Skeleton) -> list[Frame]:

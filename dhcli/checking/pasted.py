@@ -9,8 +9,6 @@ from dhcli.notation.pasted import EntriesError, rows_of
 from dhcli.notation.pasted import without_label as _without_label
 from dhcli.regex import regex
 
-__all__ = ["UnreadableError", "as_matrix", "refuse_blanks", "without_label", "without_number_word"]
-
 _ABOUT = regex(r"≈")
 _ABOUT_NAMED = regex(r"(?<=[\w}\u0307])[ \t]{0,9}≈(?=[ \t]{0,9}[+−-]?[\d.]{1,30}[^\n,;=]{0,20}(?:[\n,;]|$))")  # noqa: RUF001
 """Behind each name of a list of numbers, `v_x ≈ 0.1, v_y ≈ 0.2`."""
@@ -34,6 +32,10 @@ _COUNTED = regex(
 )
 
 
+LARGEST = 256_000
+"""Characters of an answer that are read at the most."""
+
+
 class UnreadableError(Exception):
     """An answer that cannot be judged, because of its format and not of its content.
 
@@ -45,6 +47,16 @@ class UnreadableError(Exception):
         """Say what would be read."""
         super().__init__("; ".join(remarks))
         self.remarks = remarks
+
+
+def refuse_long(text: str, most: int = LARGEST) -> None:
+    """Refuse an answer that is too long to be read.
+
+    Raises:
+        UnreadableError: It is.
+    """
+    if len(text) > most:
+        raise UnreadableError(f"the answer has {len(text)} characters, more than the {most} that are read")
 
 
 def without_label(text: str, shape: Shape | None = None) -> str:

@@ -14,7 +14,7 @@ from dhcli.checking.entries import Entries, Entry, as_read
 from dhcli.checking.exercise import Exercise, Memo
 from dhcli.checking.reach import reach_of
 from dhcli.checking.truth import Truth, is_length
-from dhcli.checking.verdicts import AGREEING, CellMark, Mark, Verdict
+from dhcli.checking.verdicts import AGREEING, APPROXIMATE, CellMark, Mark, Verdict
 from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.robot import Value
 from dhcli.notation.tree import Expr, Number
@@ -42,7 +42,7 @@ def mark_symbols(question: Wanted, truth: Truth, entries: Entries, memo: Memo) -
         verdict = Verdict.ROUNDED if approximate else Verdict.WRONG
     remarks: tuple[str, ...] = ()
     if verdict is Verdict.ROUNDED:
-        remarks = ("right approximately: decimals stand where an exact value is",)
+        remarks = (APPROXIMATE,)
     if verdict is Verdict.WRONG and question.piece == "pose":
         remarks = _half_right(cells)
     counted = [cell for cell in cells if cell.counted] or list(cells)

@@ -11,6 +11,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import CIRCLE, GENERAL, SEED, draws
 from dhcli.algebra.terms import TERMS
 from dhcli.checking.exercise import Case, Exercise
+from dhcli.checking.kinds.linked import needed
 from dhcli.checking.wanted import Composed, Wanted
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
@@ -123,8 +124,7 @@ def chain_of(question: Wanted, robot: Robot | None) -> Chain:
         RobotError: The question needs a robot and there is none.
     """
     if isinstance(question.source, View):
-        if robot is None:
-            raise RobotError("this question needs a robot", "name one under robot:")
+        robot = needed(robot)
         start, end = frame(robot, question.source.start), frame(robot, question.source.end)
         chain = between(robot, start, end)
     else:

@@ -80,7 +80,7 @@ def quantity_of(expr: Expr, exercise: Exercise) -> Quantity:
     if has_angle_unit(expr) or (inside and all(scope.is_angle(name) for name in inside)):
         try:
             angle = to_angle(expr)
-            return Quantity(_with_given(angle, exercise) if exercise.numeric else angle, is_angle=True)
+            return Quantity(angle.substitute(exercise.given) if exercise.numeric else angle, is_angle=True)
         except DimensionError:
             pass  # a cosine of an angle is a number
     measure = is_measure(expr, scope)
@@ -192,7 +192,7 @@ def _verdict(
 
     typed, right = answer.value, quantity.value
     if isinstance(typed, Angle) and isinstance(right, Angle):
-        difference = _with_given(typed, exercise) - _with_given(right, exercise)
+        difference = typed.substitute(exercise.given) - right.substitute(exercise.given)
         return Verdict.WRONG if difference.terms else judge(_degrees_apart(difference), 0.0, tolerance.angle)
     if isinstance(typed, Angle) or isinstance(right, Angle) or quantity.is_angle:
         from dhcli.checking.angles import in_radians, judge_angle
@@ -258,7 +258,7 @@ def _is_exact(typed: Quantity, right: Quantity, exercise: Exercise) -> bool:
     from dhcli.checking.symbolic import is_exactly
 
     if isinstance(typed.value, Angle) and isinstance(right.value, Angle):
-        apart = _with_given(typed.value, exercise) - _with_given(right.value, exercise)
+        apart = typed.value.substitute(exercise.given) - right.value.substitute(exercise.given)
         return not apart.terms and not apart.radians and not apart.degrees % FULL_TURN
     if right.is_angle:
         from dhcli.checking.angles import EXACT, in_radians, judge_angle
@@ -285,8 +285,3 @@ def _note(typed: Quantity, right: Quantity, exercise: Exercise) -> str:
 
     scope = exercise.scope
     return branch_of(in_radians(typed.value, scope), in_radians(right.value, scope), exercise)
-
-
-def _with_given(angle: Angle, exercise: Exercise) -> Angle:
-    """An angle with the values that the task gives."""
-    return angle.substitute({name: v for name, v in exercise.given.items() if isinstance(v, Angle)})

@@ -54,6 +54,10 @@ COUNTED = " comes out when "
 HALF_TURN_OFF = "elsewhere it is half a turn off, as atan loses the quadrants on the left"
 """What is said of a formula with atan for atan2; it names the slip, wherever in the formula that stands."""
 
+TO_DIGITS = "right to the digits typed; more digits are wanted"
+APPROXIMATE = "right approximately: decimals stand where an exact value is"
+"""Of a number that is rounded, and of a formula with one."""
+
 TOO_FEW = "right to the digits typed, which are too few to judge: write three decimals"
 """What is said of 0.4 for 0.449."""
 

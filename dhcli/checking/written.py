@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.notation.names import is_greek
+from dhcli.notation.names import capital, is_greek, usual_aliases
 from dhcli.notation.scope import Scope
+from dhcli.regex import regex
+
+_CAPITAL = regex(r"\b[A-Z]\b")
+_MAY_BE_CAPITAL = frozenset("abefghijklmnopqrtuvwxyz")
+"""Letters whose capital stands for nothing else: C and S are a cosine and a sine, D what books call a long part."""
 
 
 @frozen
@@ -51,11 +58,18 @@ class Range:
     values: tuple[Value, ...]
 
 
-def answer_scope(robot: Robot | None, extra: tuple[str, ...]) -> Scope:
-    """The scope of a robot with further names, whose Greek ones are angles; open where there is neither."""
+def answer_scope(robot: Robot | None, extra: tuple[str, ...], said: Iterable[str] = ()) -> Scope:
+    """The scope of a robot with further names, whose Greek ones are angles; open where there is neither.
+
+    Args:
+        robot: The robot, if there is one.
+        extra: Further names.
+        said: Texts of the task: a capital in them means something of its own, and is not the small letter.
+    """
     if robot is None:
         angles = tuple(name for name in extra if is_greek(name))
-        return Scope(angles=angles, lengths=tuple(n for n in extra if n not in angles), is_open=not extra)
+        lengths = tuple(n for n in extra if n not in angles)
+        return Scope(angles=angles, lengths=lengths, aliases=_capitals(extra, said), is_open=not extra)
     own = robot.scope
     more = [name for name in extra if name not in own.names]
     if not more:
@@ -64,5 +78,12 @@ def answer_scope(robot: Robot | None, extra: tuple[str, ...]) -> Scope:
         joints=own.joints,
         angles=(*own.angles, *(name for name in more if is_greek(name))),
         lengths=(*own.lengths, *(name for name in more if not is_greek(name))),
-        aliases=own.aliases,
+        aliases={**_capitals(more, said), **own.aliases},
     )
+
+
+def _capitals(names: Iterable[str], said: Iterable[str]) -> dict[str, str]:
+    """Capital letters that can only mean a name of one small letter: none of a cosine, a sine, or of the texts."""
+    spoken = {word for text in said for word in _CAPITAL.findall(text)}
+    single = (name for name in names if len(name) == 1 and name in _MAY_BE_CAPITAL)
+    return {capital(name): name for name in single if capital(name) not in spoken} | usual_aliases(names)

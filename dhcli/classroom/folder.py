@@ -13,6 +13,7 @@ from dhcli.frozen import frozen
 _SUFFIXES = (".yaml", ".yml")
 _SHEET = ".sheet"
 _PACKED_BY_MACOS = "__MACOSX"
+_LINK = "is a link; links are not followed"
 
 
 @frozen
@@ -70,14 +71,15 @@ def find_sheets(folder: str, *, may_be_none: bool = False) -> Folder:
     if not root.is_dir():
         raise FileError(_no_folder(root, folder))
     others: list[str] = []
-    found = tuple(sorted(_submissions(root, others), key=lambda one: one.sheet))
+    found = tuple(sorted(_submissions("" if str(root) == "." else str(root), others), key=lambda one: one.sheet))
     if not found and not may_be_none:
         hint = "sheets are files that end in .yaml or .yml; dhcli start EXERCISE writes one"
         raise FileError(Problem("there is no sheet in this folder", Place(folder), hint))
     handed_in = {one.sheet.partition("/")[0] for one in found}
-    empty = (child.name for child in root.iterdir() if child.is_dir() and _counts(child.name))
-    without = tuple(sorted(name for name in empty if name not in handed_in))
-    return Folder(folder, found, without, tuple(sorted(others)))
+    with os.scandir(root) as inside:
+        rest = (one for one in inside if _counts(one.name) and one.name not in handed_in)
+        empty = sorted(one.name for one in rest if os.path.isdir(one.path))
+    return Folder(folder, found, tuple(empty), tuple(sorted(others)))
 
 
 def _no_folder(root: Path, folder: str) -> Problem:
@@ -87,36 +89,37 @@ def _no_folder(root: Path, folder: str) -> Problem:
     return Problem("there is no such folder", Place(folder), instead_of(root, beside))
 
 
-def _submissions(root: Path, others: list[str]) -> Iterator[Submission]:
+def _submissions(root: str, others: list[str]) -> Iterator[Submission]:
     """The sheets; what else was handed in is noted."""
-    unreadable: list[OSError] = []
-    for where, folders, files in os.walk(root, onerror=unreadable.append):
-        here = Path(where)
-        folders[:] = [name for name in folders if _counts(name)]
-        for name in folders:
-            if (here / name).is_symlink():
-                yield _submission(root, here / name, "is a link; links are not followed")
-        for name in files:
-            path = here / name
-            if not _counts(name):
-                continue
-            if path.suffix.lower() not in _SUFFIXES:
-                others.append(path.relative_to(root).as_posix())
-                continue
-            problem = "is a link; links are not followed" if path.is_symlink() else ""
-            yield _submission(root, path, problem or ("" if path.is_file() else "is no file"))
-    for error in unreadable:
-        if error.filename == str(root):
-            raise FileError(Problem(f"cannot be opened: {error.strerror}", Place(str(root))))
-        yield _submission(root, Path(error.filename), f"cannot be opened: {error.strerror}")
+    folders = [""]  # below the root, each with a / behind it
+    for below in folders:
+        try:
+            with os.scandir(os.path.join(root, *below.split("/")[:-1]) or ".") as inside:
+                there = [one for one in inside if _counts(one.name)]
+        except OSError as error:
+            problem = f"cannot be opened: {error.strerror}"
+            if not below:
+                raise FileError(Problem(problem, Place(root or "."))) from None
+            yield _submission(root, below[:-1], problem, is_folder=True)
+            continue
+        for one in there:
+            name, is_link = below + one.name, one.is_symlink()
+            is_folder = os.path.isdir(one.path) if is_link else one.is_dir()
+            problem = _LINK if is_link else ""
+            if is_folder and not is_link:
+                folders.append(f"{name}/")
+            elif is_folder or os.path.splitext(one.name)[1].lower() in _SUFFIXES:
+                problem = problem or ("" if one.is_file() else "is no file")
+                yield _submission(root, name, problem, is_folder=is_folder)
+            else:
+                others.append(name)
 
 
 def _counts(name: str) -> bool:
     return not name.startswith(".") and name != _PACKED_BY_MACOS
 
 
-def _submission(root: Path, path: Path, problem: str) -> Submission:
-    below = path.relative_to(root)
-    is_folder = len(below.parts) > 1 or path.is_dir()
-    student = below.parts[0] if is_folder else below.stem.removesuffix(_SHEET)
-    return Submission(str(path), below.as_posix(), student, problem)
+def _submission(root: str, name: str, problem: str, *, is_folder: bool) -> Submission:
+    first, *below = name.split("/")
+    student = first if below or is_folder else os.path.splitext(first)[0].removesuffix(_SHEET)
+    return Submission(os.path.join(root, first, *below), name, student, problem)

@@ -65,7 +65,7 @@ def _named(submission: Submission) -> bytes:
     if submission.problem:
         return b""
     try:
-        with open(submission.path, "rb") as sheet:  # noqa: PTH123
+        with open(submission.path, "rb") as sheet:
             lines = sheet.read(_GLANCE).splitlines()
     except OSError:
         return b""

@@ -10,7 +10,7 @@ from dhcli.checking.marked import PartMark
 from dhcli.checking.verdicts import Mark
 from dhcli.classroom.folder import Submission
 from dhcli.classroom.grades import Graded, PartGrade, failed
-from dhcli.errors import DhcliError, Problem, UnknownNameError, did_you_mean
+from dhcli.errors import DhcliError, Problem, UnknownNameError, bug, did_you_mean
 from dhcli.files.library.lookup import Kind, entries, full_id
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.sheets import Sheet, judged_sheet, read_sheet
@@ -53,7 +53,7 @@ def grade(submission: Submission, only: str | None = None) -> Graded:
     except DhcliError as error:
         return failed(row, *error.problems)
     except Exception as error:  # noqa: BLE001  a bug that one sheet brings to light must not cost the others their grade
-        return failed(row, Problem(f"this is a bug in dhcli: {type(error).__name__}: {error}"))
+        return failed(row, bug(error))
 
 
 def _judge_of(sheet: Sheet, only: str | None, written: str) -> Judge:

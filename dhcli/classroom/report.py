@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from statistics import fmean
+from math import fsum
 
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.folder import Folder
@@ -86,7 +86,7 @@ def report_on(folder: Folder, rows: Sequence[Graded]) -> ClassReport:
         tuple(rows),
         tuple(_figures(exercise, part, grades) for (exercise, part), grades in by_part.items()),
         tuple(steps[step] for step in STEPS),
-        fmean(shares) if shares else None,
+        fsum(shares) / len(shares) if shares else None,
         tuple(_notices(rows)),
     )
 
@@ -147,7 +147,7 @@ def _figures(exercise: str, part: str, grades: Sequence[PartGrade]) -> PartFigur
         exercise,
         part,
         grades[0].credit,
-        fmean(grade.earned for grade in grades),
+        fsum(grade.earned for grade in grades) / len(grades),
         {verdict: verdicts[verdict] for verdict in Verdict if verdict in verdicts},
         tuple(slips.most_common()),
     )

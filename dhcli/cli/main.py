@@ -11,9 +11,9 @@ from contextlib import contextmanager
 from types import FrameType
 
 from dhcli.cli.shell.console import GuardedStream, complain, finish
-from dhcli.errors import DhcliError, ExitStatus, Place, Problem
+from dhcli.errors import DhcliError, ExitStatus, Place, Problem, bug
 
-INSTEAD = {"--force": "--overwrite", "--symbolic": "--derive", "-s": "--derive", "--rows": "--in FILE"}
+INSTEAD = {"--force": "--overwrite", "--symbolic": "--derive", "-s": "--derive"}
 """What some commands have instead of an option that is typed in vain."""
 
 BUGS = "please report it with the command you typed; DHCLI_DEBUG=1 shows where it happened"
@@ -56,7 +56,7 @@ def _guarded(words: list[str]) -> int:
     except Exception as error:
         if os.environ.get("DHCLI_DEBUG"):
             raise
-        complain([Problem(f"this is a bug in dhcli: {type(error).__name__}: {error}", hint=BUGS)], words)
+        complain([bug(error, BUGS)], words)
         return ExitStatus.BUG
     return code
 

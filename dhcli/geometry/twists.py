@@ -5,12 +5,14 @@ A twist is (ω, v): angular velocity, then the velocity of the point at the orig
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array: TypeAlias = NDArray[np.float64]
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+Array: TypeAlias = "NDArray[np.float64]"
 
 
 def about(point: Array, axis: Array, pitch: float = 0.0) -> Array:

@@ -10,6 +10,8 @@ Vector: TypeAlias = tuple[float, float, float]
 
 ORIGIN: Vector = (0.0, 0.0, 0.0)
 UNITS: tuple[Vector, Vector, Vector] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+ALONG = dict(zip("xyz", UNITS, strict=True))
+"""The unit vector along each axis."""
 
 
 def dot(a: Sequence[float], b: Sequence[float]) -> float:

@@ -22,6 +22,10 @@ class Convention(StrEnum):
     PRODUCT = "product"
 
 
+OTHER = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
+"""The convention for which that of a table is taken by mistake; a product has none."""
+
+
 @frozen
 class Row:
     """One row of a DH table.

@@ -20,7 +20,7 @@ from dhcli.notation.derivative import derivative
 from dhcli.notation.factors import AXES
 from dhcli.notation.names import canonical
 from dhcli.notation.tree import ZERO, Expr, Symbol, add, multiply
-from dhcli.notation.walk import substitute, symbols
+from dhcli.notation.walk import parted, substitute, symbols
 
 Matrix = tuple[tuple[float, ...], ...]
 
@@ -206,9 +206,9 @@ class _Splitter:
 
 def _put(formula: Value, values: Mapping[str, Value]) -> Value:
     """A formula with exact values in the place of its names."""
-    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
     if isinstance(formula, Angle):
-        return formula.substitute(angles)
+        return formula.substitute(values)
+    _, angles = parted(values)
     lengths = {name: in_radians(value) if isinstance(value, Angle) else value for name, value in values.items()}
     return substitute(formula, lengths, angles)
 

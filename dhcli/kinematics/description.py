@@ -17,6 +17,7 @@ from dhcli.kinematics.derived import Formula, Value
 from dhcli.kinematics.given import chain_of, mapping_of, tuple_of, value_of
 from dhcli.kinematics.moves import Chain, angle_names, every_angle, names, product_text
 from dhcli.notation.angle import Angle
+from dhcli.notation.names import usual_aliases
 from dhcli.notation.scope import Scope
 from dhcli.notation.styles import Joints
 
@@ -166,7 +167,7 @@ class Description:
 
     @cached_property
     def scope(self) -> Scope:
-        """The names that a text about this robot may use, with q1, q2, ... for its joints."""
+        """The names that a text about this robot may use, with q1, q2, ... for its joints, and other spellings."""
         turning = tuple(joint.name for joint in self.joints if joint.kind == "revolute")
         others = [name for name in (*self.variables, *self.parameters) if name not in turning]
         aliases = {f"q{number}": name for number, name in enumerate(self.variables, self.first)}
@@ -174,7 +175,7 @@ class Description:
             joints=turning,
             angles=tuple(name for name in others if name in self.angles),
             lengths=tuple(name for name in others if name not in self.angles),
-            aliases=aliases,
+            aliases=usual_aliases((*turning, *others)) | aliases,
         )
 
     @cached_property

@@ -160,13 +160,21 @@ def textbook_form(chain: Chain) -> tuple[tuple[Expr, ...], ...]:
     """
     try:
         merged = merge(chain)
-        size = sum(entry.count for row in fold(merged, SIZES) for entry in row)
-        if size > LONGEST:
-            message = f"the result would be {size} symbols long, more than the {LONGEST} that are written"
-            raise RobotError(message, "ask for fewer frames with --from and --to, or put values in")
+        refuse_long(sum(entry.count for row in fold(merged, SIZES) for entry in row))
         return fold(merged, TERMS)
     except OverflowError:
         raise RobotError("an exact number has too many digits", "compute in numbers, or put in simpler ones") from None
+
+
+def refuse_long(size: int) -> None:
+    """Refuse a result of more symbols than anybody can read.
+
+    Raises:
+        RobotError: It would have more.
+    """
+    if size > LONGEST:
+        message = f"the result would be {size} symbols long, more than the {LONGEST} that are written"
+        raise RobotError(message, "ask for fewer frames with --from and --to, or put values in")
 
 
 def in_numbers(chain: Chain, values: Values) -> tuple[tuple[float, ...], ...]:
@@ -197,10 +205,9 @@ def link_with(link: Link, values: Values, convention: Convention) -> Link:
     moves = put_in(link.moves, values)
     if link.row is None:
         return Link(link.number, moves)
-    _, angles = parted(values)
     lengths = put_in((Trans(link.row.a, link.row.d, ZERO),), values)[0]
     assert isinstance(lengths, Trans)  # noqa: S101  it keeps its kind
-    row = Row(lengths.x, link.row.alpha.substitute(angles), lengths.y, link.row.theta.substitute(angles))
+    row = Row(lengths.x, link.row.alpha.substitute(values), lengths.y, link.row.theta.substitute(values))
     return Link(link.number, moves_of(row, convention), row)
 
 

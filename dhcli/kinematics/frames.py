@@ -94,6 +94,18 @@ def frame(robot: Robot, name: str | int) -> str:
     return text
 
 
+def place_of(robot: Robot, number: str) -> int:
+    """The place of a link in its robot.
+
+    Raises:
+        UnknownNameError: The robot has no link of this number; the hint lists those it has.
+    """
+    numbered = [str(link.number) for link in robot.links]
+    if number not in numbered:
+        raise UnknownNameError(f"{robot.name} has no link {number}", f"links: {', '.join(numbered)}")
+    return numbered.index(number)
+
+
 def span_of(robot: Robot, view: View) -> tuple[int, int]:
     """The places of two frames in the order of the robot."""
     first, last = (robot.frames.index(frame(robot, name)) for name in (view.start, view.end))

@@ -148,6 +148,19 @@ def coordinates(point: Iterable[Any]) -> list[Expr]:
     return found
 
 
+def three_coordinates(point: Iterable[Any]) -> tuple[Expr, Expr, Expr]:
+    """The coordinates of a point.
+
+    Raises:
+        RobotError: They are not three, or one is no number.
+        NotationError: A text cannot be read, or is no length.
+    """
+    found = coordinates(point)
+    if len(found) != 3:  # noqa: PLR2004
+        raise RobotError(f"a point has three coordinates, not {len(found)}")
+    return found[0], found[1], found[2]
+
+
 def float_coordinates(point: Iterable[Any]) -> list[float]:
     """Coordinates for a pose in numbers [m]."""
     try:

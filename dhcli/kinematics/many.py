@@ -53,7 +53,7 @@ class PoseRows:
         """
         list(check_forms(self.forms))
         if not self.robot.variables:
-            raise RobotError(f"{self.robot.name} has no joint, so all its poses are one", "leave --in out")
+            raise RobotError(f"{self.robot.name} has no joint, so all its poses are one", "leave --rows out")
         values = numbers(parameter_values(self.robot, self.parameters))
         floats = Floats(values)
         recordings = (recorded_pose(self.robot, view.reference, view.frame, values) for view in self.views)

@@ -6,11 +6,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import field, replace
 from typing import TYPE_CHECKING, Literal, TypeAlias, cast
 
-from dhcli.errors import RobotError, UnknownNameError
+from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.geometry.words import in_words
 from dhcli.kinematics.forward import factors, in_numbers, put_in, textbook_form
-from dhcli.kinematics.frames import Point, View, between, path
+from dhcli.kinematics.frames import Point, View, between, path, place_of
 from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.moves import Chain, Trans, inverse, spelled
 from dhcli.kinematics.pose import Pose
@@ -173,11 +173,9 @@ def _with_names(pose: AnyPose) -> tuple[tuple[Definition, ...], AnyPose]:
 
 def _links(robot: Robot, view: View, only: str | None) -> tuple[Link, ...]:
     """The links between two frames, or the one that is asked for."""
-    numbered = {str(link.number): link for link in robot.links}
     if only is not None:
-        if only not in numbered:
-            raise UnknownNameError(f"{robot.name} has no link {only}", f"links: {', '.join(numbered)}")
-        return (numbered[only],)
+        return (robot.links[place_of(robot, only)],)
+    numbered = {str(link.number): link for link in robot.links}
     first, last = sorted((robot.frames.index(view.start), robot.frames.index(view.end)))
     return tuple(numbered[name] for name in robot.frames[first + 1 : last + 1] if name in numbered)
 

@@ -14,7 +14,7 @@ from dhcli.kinematics.description import Description
 from dhcli.kinematics.given import mapping_of
 from dhcli.kinematics.moves import Chain, names
 from dhcli.notation.angle import Angle
-from dhcli.notation.brackets import split
+from dhcli.notation.brackets import OPENING, split
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import Bare, DimensionError, to_angle, to_plain_length
@@ -32,7 +32,9 @@ Values: TypeAlias = Mapping[str, Value]
 JointInput: TypeAlias = "str | Sequence[float | str | Angle] | NDArray[Any] | Mapping[str, float | str | Angle] | None"
 """What a caller may give for the joints: text, a list or an array in joint order, a mapping by name, or nothing."""
 
-_ONE_VALUE = regex(r"([^\s=,;]+=)?[-+−–]?(\d|\.|√|π|pi|\()[^\s;]*(?<!,)")  # noqa: RUF001
+_ASSIGNS = regex(r"[=:]")
+_PENDANT = regex(r"(?i:\A(?:j|joint)[ _]?)(?=[0-9])")
+_ONE_VALUE = regex(r"([^\s=:,;]+[=:])?[-+−–]?(\d|\.|√|π|pi|\()[^\s;]*(?<!,)")  # noqa: RUF001
 """A value without a blank in it, or a name with one."""
 
 
@@ -144,12 +146,13 @@ def read_named(robot: Description, name: str, text: str, *, bare: Bare, place: P
 
 
 def joint_called(robot: Description, name: str, place: Place | None = None) -> str:
-    """The joint variable that a person means: `θ1`, `theta_1` and `q1` are theta1.
+    """The joint variable that a person means: `θ1`, `theta_1`, `q1` and, as pendants write it, `J1` are theta1.
 
     Raises:
         RobotError: There is no such joint; the hint has the nearest.
     """
-    for candidate in (canonical(name), robot.scope.aliases.get(canonical(name), "")):
+    counted = _PENDANT.sub("q", name)
+    for candidate in (canonical(name), robot.scope.aliases.get(canonical(counted), "")):
         for variable in robot.variables:
             if canonical(variable) == canonical(candidate):
                 return variable
@@ -162,7 +165,7 @@ def _from_text(robot: Description, text: str, bare: Bare, place: Place) -> dict[
     parts = list(_split(text))
     if len(parts) != len(robot.variables):
         parts = _between_blanks(robot, text) or parts
-    if any("=" in part for _, part in parts):
+    if any(_ASSIGNS.search(part) for _, part in parts):
         return _assignments(robot, parts, text, bare, place)
     if len(parts) == 1 and not parts[0][1]:
         parts = []
@@ -181,14 +184,14 @@ def _assignments(
 ) -> dict[str, Value]:
     values: dict[str, Value] = {}
     for offset, part in parts:
-        name, equals, value = part.partition("=")
+        sign = _ASSIGNS.search(part)
         where = _at(place, text, offset)
-        if not equals:
+        if sign is None:
             raise RobotError(Problem(f"{part.strip()} has no name", where, "write q1=0.3, q2=0.5, or only values"))
-        joint = joint_called(robot, name.strip(), where)
+        joint = joint_called(robot, part[: sign.start()].strip().strip('"'), where)
         if joint in values:
             raise RobotError(Problem(f"{joint} is given twice", where))
-        start, value = _stripped(value, offset + len(name) + 1)
+        start, value = _stripped(part[sign.end() :], offset + sign.end())
         values[joint] = read_named(robot, joint, value, bare=bare, place=_at(place, text, start))
     return values
 
@@ -196,8 +199,8 @@ def _assignments(
 def _split(text: str) -> Iterator[tuple[int, str]]:
     """Pieces between commas or semicolons outside brackets, with their offsets; brackets around all are left out."""
     start, end = 0, len(text)
-    if text.strip().startswith("["):
-        start, end = text.index("[") + 1, len(text.rstrip().removesuffix("]"))
+    if (bracket := text.strip()[:1]) in ("[", "{"):
+        start, end = text.index(bracket) + 1, len(text.rstrip().removesuffix(OPENING[bracket]))
     for at, piece in split(text[start:end]):
         yield _stripped(piece, start + at)
 
@@ -206,7 +209,7 @@ def _between_blanks(robot: Description, text: str) -> list[tuple[int, str]]:
     """A value for each joint with only blanks between them, `0.3 30° 0,1`, with offsets; nothing if it is not that."""
     inner = re.sub(r"^\s*\[|\]\s*$", " ", text)
     pieces = [(found.start(), found[0]) for found in re.finditer(r"\S+", inner)]
-    named = all("=" in piece for _, piece in pieces)
+    named = all(_ASSIGNS.search(piece) for _, piece in pieces)
     if not all(_ONE_VALUE.fullmatch(piece) for _, piece in pieces):
         return []
     return pieces if len(pieces) > 1 and (named or len(pieces) == len(robot.variables)) else []

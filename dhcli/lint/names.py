@@ -30,20 +30,22 @@ class Named:
 
 @frozen
 class Names:
-    """Everything that has a name, by the real path of its file."""
+    """Files at hand and everything else of the same names, by the real paths of the files."""
 
     named: dict[str, Named]
 
     @classmethod
     def of(cls, files: Iterable[str]) -> Names:
-        """The names of the library, and of files that need not be in it."""
+        """The names of files, which need not be in the library, and what has them there."""
+        at_hand = [Named(kind_of(path), os.path.splitext(os.path.basename(path))[0], path) for path in files]  # noqa: PTH119, PTH122
+        names = {one.name for one in at_hand}
         library = [
-            Named(kind, entry.name.split("/")[-1], str(entry.path), entry.origin == BUILT_IN)
+            Named(kind, name, str(entry.path), entry.origin == BUILT_IN)
             for kind in Kind
             for entry in entries(kind)
+            if (name := entry.name.split("/")[-1]) in names
         ]
-        others = [Named(kind_of(path), os.path.splitext(os.path.basename(path))[0], path) for path in files]  # noqa: PTH119, PTH122
-        return cls({os.path.realpath(one.path): one for one in (*others, *library)})
+        return cls({os.path.realpath(one.path): one for one in (*at_hand, *library)})
 
     def clashes(self, path: str) -> Iterator[Finding]:
         """What else has the name of a file: a thing of another kind, or one that it hides."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from dhcli.algebra.floats import Floats
+from dhcli.files.yaml.templates import NAME
 from dhcli.kinematics.derived import Value, in_floats
 from dhcli.kinematics.description import Description
 from dhcli.kinematics.limits import is_within_limits
@@ -16,10 +17,8 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
-from dhcli.regex import regex
 
 FULL_TURN = 360
-_NAME = regex(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 
 
 def findings(robot: Description, mentioned: frozenset[str] = frozenset()) -> Iterator[Finding]:
@@ -35,7 +34,7 @@ def findings(robot: Description, mentioned: frozenset[str] = frozenset()) -> Ite
         ("notes",): robot.notes,
     }
     yield from unfinished({where: text for where, text in texts.items() if text})
-    if not _NAME.fullmatch(robot.name):
+    if not NAME.fullmatch(robot.name):
         hint = "letters, digits, - and _, such as my-arm.yaml"
         yield Finding((), f"the file name '{robot.name}' is the name of the robot, and cannot be typed", hint)
     for remark in robot.remarks:

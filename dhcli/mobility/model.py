@@ -8,10 +8,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cached_property
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from dhcli.frozen import frozen
 from dhcli.geometry.twists import Array
@@ -19,7 +18,10 @@ from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.motions import motions_of
 from dhcli.mobility.pairs import LinkageError
 
-Signs: TypeAlias = NDArray[np.int8]
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+Signs: TypeAlias = "NDArray[np.int8]"
 
 TINY = 1e-9
 """Points nearer together than this part of their distance from the origin are one point."""

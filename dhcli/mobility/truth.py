@@ -6,14 +6,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
-from dhcli.geometry.rank import TIGHT, orthonormal, spaces
+from dhcli.geometry.rank import TIGHT, Rank, orthonormal, spaces
 from dhcli.geometry.twists import Array
 from dhcli.mobility.branches import LANDED, branch_at
 from dhcli.mobility.decision import Decision, Landed, Setting, Truth, certain, decided
 from dhcli.mobility.draws import Draws
-from dhcli.mobility.idle import idle_freedoms, still_idle
+from dhcli.mobility.idle import Idle, idle_freedoms, still_idle
 from dhcli.mobility.landing import SHAKY, Path, Trial, attempt
 from dhcli.mobility.large import large_mobility
 from dhcli.mobility.linkage import Linkage
@@ -72,28 +74,14 @@ def true_mobility(linkage: Linkage, tolerance: float = 0.0) -> Truth:
     if len(linkage.links) > MANY or max(equations, model.motions) > WIDE:
         return large_mobility(model, tolerance)
     tight = max(TIGHT, tolerance)
-    rank, motions, stresses = spaces(model.jacobian(), tight)
-    found = lambdas(model, tight)
-    instantaneous = model.motions - rank.rank
-    equations = sum(found) + len(model.ties)
-    idle = idle_freedoms(model, tight)
-    lasting = tuple(one for one in idle if one.lasting)
-    verdict = Decision(instantaneous, certain(model, rank, equations, instantaneous))
-    if verdict.certificate:
-        there = twists_nearby(model, motions, tolerance) if len(idle) > len(lasting) else None
-        # an open chain has no equations that rounding could hide
-        motion = motion_nearby(model, motions, tolerance if equations else 0.0)
-        verdict = Decision(instantaneous, verdict.certificate, motion, landings=() if there is None else (there,))
-    elif instantaneous == len(idle):
-        words = "exact: apart from the idle freedoms nothing can move, not even for an instant"
-        verdict = Decision(instantaneous, words, motion_type(model, motions, tolerance=tolerance))
-    else:
-        frozen = orthonormal(np.array([one.rates for one in lasting]).T).T if lasting else np.zeros((0, model.motions))
-        verdict = _beyond_rank(model, stresses, frozen, equations, tolerance)
-    kept = idle
-    for twists in verdict.landings if len(idle) > len(lasting) else ():
+    there = spaces(model.jacobian(), tight)
+    found, idle = lambdas(model, tight), idle_freedoms(model, tight)
+    verdict = _verdict(model, there, idle, sum(found) + len(model.ties), tolerance)
+    lasting, kept = sum(one.lasting for one in idle), idle
+    for twists in verdict.landings if len(idle) > lasting else ():
         kept = still_idle(model, kept, twists, max(LANDED, tolerance))
-    low = verdict.mobility if verdict.mobility is not None else max(verdict.least, len(lasting))
+    rank, instantaneous = there[0], model.motions - there[0].rank
+    low = verdict.mobility if verdict.mobility is not None else max(verdict.least, lasting)
     high = verdict.mobility if verdict.mobility is not None else instantaneous
     return Truth(
         model,
@@ -110,6 +98,33 @@ def true_mobility(linkage: Linkage, tolerance: float = 0.0) -> Truth:
         verdict.motion,
         verdict.kinds,
     )
+
+
+def _verdict(
+    model: Model, there: tuple[Rank, Array, Array], idle: Sequence[Idle], equations: int, tolerance: float
+) -> Decision:
+    """What the rank decides, and else what is found beyond it.
+
+    Args:
+        model: The linkage.
+        there: The rank of its Jacobian, the motions that it allows, and the stresses.
+        idle: Its idle freedoms.
+        equations: How many there would be if all were independent.
+        tolerance: Relative error of rounded input.
+    """
+    rank, motions, stresses = there
+    instantaneous = model.motions - rank.rank
+    lasting = [one.rates for one in idle if one.lasting]
+    if certificate := certain(model, rank, equations, instantaneous):
+        twists = twists_nearby(model, motions, tolerance) if len(idle) > len(lasting) else None
+        # an open chain has no equations that rounding could hide
+        motion = motion_nearby(model, motions, tolerance if equations else 0.0)
+        return Decision(instantaneous, certificate, motion, landings=() if twists is None else (twists,))
+    if instantaneous == len(idle):
+        words = "exact: apart from the idle freedoms nothing can move, not even for an instant"
+        return Decision(instantaneous, words, motion_type(model, motions, tolerance=tolerance))
+    frozen = orthonormal(np.array(lasting).T).T if lasting else np.zeros((0, model.motions))
+    return _beyond_rank(model, stresses, frozen, equations, tolerance)
 
 
 def _beyond_rank(model: Model, stresses: Array, frozen: Array, equations: int, tolerance: float) -> Decision:

@@ -114,15 +114,16 @@ class Angle(Hashed):
         quarters, rest = divmod(self.degrees.numerator, 90)
         return None if rest else quarters % 4
 
-    def substitute(self, values: Mapping[str, Angle]) -> Angle:
-        """The same sum with some names replaced by their angles."""
-        if not any(name in values for name, _ in self.terms):
+    def substitute(self, values: Mapping[str, object]) -> Angle:
+        """The same sum with some names replaced by the angles that they are; of other values nothing is taken."""
+        known = {name: value for name, _ in self.terms if isinstance(value := values.get(name), Angle)}
+        if not known:
             return self
         if len(self.terms) == 1 and self.terms[0][1] == 1 and not self.degrees and not self.radians:
-            return values[self.terms[0][0]]  # a joint by itself, as most are
+            return known[self.terms[0][0]]  # a joint by itself, as most are
         total = Angle((), self.degrees, self.radians)
         for name, factor in self.terms:
-            value = values.get(name)
+            value = known.get(name)
             total += Angle(((name, factor),)) if value is None else value * factor
         return total
 

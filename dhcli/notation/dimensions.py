@@ -20,7 +20,8 @@ LENGTH_UNITS = {
 }
 """Metres in each unit of length."""
 
-ANGLE_UNITS = frozenset(("deg", "degree", "degrees", "°", "rad", "radian", "radians"))
+RADIANS = frozenset(("rad", "radian", "radians"))
+ANGLE_UNITS = RADIANS | {"deg", "degree", "degrees", "°"}
 UNITS = ANGLE_UNITS | LENGTH_UNITS.keys()
 
 _OTHER_WORDS = {

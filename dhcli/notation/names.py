@@ -40,7 +40,7 @@ GREEK = {
 GREEK_NAMES = frozenset(GREEK.values()) | {"vartheta", "varphi", "varepsilon"}
 MOST_SUGGESTIONS = 3
 _VARIANTS = {"vartheta": "theta", "varphi": "phi", "varepsilon": "epsilon"}
-_SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _SPLIT = regex(r"(\D*)(\d*)")
 _TRIG = regex(rf"(?:cos|sin|[cs])(?={'|'.join(sorted(GREEK_NAMES))})")
 _CAPITAL_GREEK = regex(rf"(?=[A-Z])(?:{'|'.join(name.capitalize() for name in sorted(GREEK_NAMES))})\d*$")
@@ -60,7 +60,7 @@ def canonical(name: str) -> str:
     `θ1`, `theta_1`, `\theta_{1}`, `θ₁`, and `Theta1` as a phone begins a line, are `theta1`; `\alpha_{i-1}` is
     `alpha_{i-1}`, `a_{i}` is `a_i`.
     """
-    text = "".join(GREEK.get(letter, letter) for letter in name.translate(_SUBSCRIPTS))
+    text = "".join(GREEK.get(letter, letter) for letter in name.translate(SUBSCRIPTS))
     text = text.replace("\\", "")
     stem, _, subscript = text.partition("_")
     stem = stem[:1].lower() + stem[1:] if _CAPITAL_GREEK.match(stem) else stem
@@ -80,6 +80,26 @@ def parts(name: str) -> tuple[str, str]:
         return name, ""
     letters = (match["letters"] or "").strip("{}")
     return match["stem"], match["index"] + letters
+
+
+def usual_aliases(names: Iterable[str]) -> dict[str, str]:
+    """What else people write for names, where nothing else has that name: t1 and th1 for theta1, and A1 for a1.
+
+    A capital C or S begins a cosine or a sine, and one without an index may mean something else.
+    """
+    found: dict[str, str] = {}
+    for name in names:
+        stem, index = parts(name)
+        if stem == "theta":
+            found |= {canonical(f"{short}{name.removeprefix('theta')}"): name for short in ("t", "th")}
+        elif index and len(stem) == 1 and stem.islower() and stem not in "cs":
+            found[capital(name)] = name
+    return found
+
+
+def capital(name: str) -> str:
+    """A name with a capital for its first letter: `A1` for `a1`."""
+    return name[:1].upper() + name[1:]
 
 
 def suggestion(word: str, known: Iterable[str]) -> str:

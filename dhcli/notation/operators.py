@@ -131,7 +131,7 @@ class Operators(Cursor, ABC):
         if before.kind == "number":
             raise self.error("two numbers side by side", "write * between them, or a comma if they are two values")
         if before.text == "°" or before.text in UNITS:
-            hint = "write 30.25° for 30°15'" if before.text == "°" else "write * between them, or + for a sum"
+            hint = "write 30°15' or 30.25°" if before.text == "°" else "write * between them, or + for a sum"
             raise self.error(f"a number stands behind the unit {before.text}", hint)
 
     def _operand(self) -> Expr:

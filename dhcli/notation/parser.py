@@ -23,7 +23,7 @@ from dhcli.notation.tree import PI, Expr, Symbol, Trig, Unit, add, multiply
 from dhcli.notation.walk import symbols, walk
 from dhcli.regex import regex
 
-RESERVED = frozenset(FUNCTIONS) | {"pi", "frac", "inv", "Rot", "Trans", "nan", "inf", "infinity"}
+RESERVED = frozenset(FUNCTIONS) | {"pi", "frac", "inv", "Rot", "Trans", "nan", "inf", "infinity", "minus"}
 """Words that cannot name a joint or a length."""
 
 _FUNCTION = regex("(cos|sin)")
@@ -90,6 +90,16 @@ def read_all(source: Source, tokens: Sequence[Token], scope: Scope) -> Expr:
 
 class Parser(Calls):
     """Reads expressions from tokens; the readers of matrices and of moves share it."""
+
+    def finish(self) -> None:
+        """Make sure that nothing is left over, and that no letter stands both small and capital for one name."""
+        super().finish()
+        for token in self.tokens:
+            small = token.text[:1].lower() + token.text[1:]
+            if token.text == small or token.kind != "word" or canonical(token.text) not in self.scope.aliases:
+                continue
+            if any(other.text == small for other in self.tokens):
+                raise self.error(f"{token.text} stands beside {small}: are they the same?", "write one of them", token)
 
     def _word(self, token: Token) -> Expr:
         word = token.text

@@ -14,6 +14,7 @@ from dhcli.notation.dimensions import (
     ANGLE_UNITS,
     INVERSE,
     LENGTH_UNITS,
+    RADIANS,
     UNITS,
     DimensionError,
     check_is,
@@ -41,6 +42,7 @@ from dhcli.notation.writer import write, write_angle
 __all__ = [
     "ANGLE_UNITS",
     "LENGTH_UNITS",
+    "RADIANS",
     "UNITS",
     "Bare",
     "DimensionError",
@@ -204,11 +206,11 @@ def _angle(expr: Expr, bare: Bare) -> Angle:
                 name = factor.name
             case Unit() if factor.name in ANGLE_UNITS and not unit and not name:
                 unit = factor.name
-            case Constant() if not name and unit in ("", *_RADIANS):
+            case Constant() if not name and unit in ("", *RADIANS):
                 unit = "pi"
             case Unit() if factor.name in LENGTH_UNITS:
                 raise DimensionError(f"{factor.name} is a unit of length, an angle is wanted", "write 30° or 0.5 rad")
-            case Unit() if unit == "pi" and factor.name in _RADIANS:
+            case Unit() if unit == "pi" and factor.name in RADIANS:
                 pass
             case _:
                 raise DimensionError(*_NO_ANGLE)
@@ -219,7 +221,6 @@ def _angle(expr: Expr, bare: Bare) -> Angle:
     return _constant(scale, unit or "bare", bare)
 
 
-_RADIANS = ("rad", "radian", "radians")
 _NO_ANGLE = ("an angle is a sum of joint angles and constants", "write theta1 + 90° or pi/2")
 
 
@@ -227,7 +228,7 @@ def _of_bracket(expr: Expr, name: str, unit: str, bare: Bare) -> Angle:
     """A bracket of angles, or an inverse function; radians may be written behind the latter, for that is what it is."""
     if isinstance(expr, Sum) and not name and not unit:
         return _angle(expr, bare)
-    if isinstance(expr, Call) and expr.function in INVERSE and not name and unit in ("", *_RADIANS):
+    if isinstance(expr, Call) and expr.function in INVERSE and not name and unit in ("", *RADIANS):
         from dhcli.notation.arcs import arc  # few angles are written so
 
         return arc(expr)
@@ -255,4 +256,4 @@ def _constant(scale: Fraction, unit: str, bare: Bare) -> Angle:
             )  # nobody means 90 radians
             raise DimensionError(f"the angle {shown:g} has no unit", f"write {shown:g}° or {turned} rad")
         unit = bare
-    return Angle(radians=scale) if unit in _RADIANS else Angle(degrees=scale)
+    return Angle(radians=scale) if unit in RADIANS else Angle(degrees=scale)

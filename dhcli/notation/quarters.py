@@ -9,10 +9,9 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from dhcli.notation.angle import Angle
-from dhcli.notation.dimensions import ANGLE_UNITS
+from dhcli.notation.dimensions import RADIANS
 from dhcli.notation.tree import Expr, Number, Product, Sum, Unit, add, multiply
 
-RADIANS = ANGLE_UNITS & {"rad", "radian", "radians"}
 MOST_QUARTERS = 8
 """Two turns; beyond them nobody writes a right angle in radians."""
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Literal
 
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.frozen import frozen
-from dhcli.notation.names import GREEK, GREEK_NAMES, describe, foreign_letter
+from dhcli.notation.names import GREEK, GREEK_NAMES, SUBSCRIPTS, describe, foreign_letter
 from dhcli.notation.styles import SPOKEN_FOR
 from dhcli.regex import regex
 
@@ -31,10 +31,10 @@ _OPERATORS = {
     "’": "'",  # noqa: RUF001
     "″": '"',
 }
-_SIGNS = {**_OPERATORS, "**": "^"}
+_SIGNS = {**_OPERATORS, "**": "^", ".": "*"}
+_SPOKEN = {"minus": "-"}
 _SUPERSCRIPT = regex("(⁻?)([⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
-_LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _NOISE = "─━═┄┈╌┌┬┐├┼┤└┴┘┏┳┓┡╇┩┢┣╋┫┗┻┛╔╦╗╠╬╣╚╩╝╭╮╯╰⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠$"
 """What frames a table or a formula on a screen and means nothing."""
 _GREEK_LETTERS = "".join(GREEK)
@@ -49,9 +49,15 @@ _PIECE = regex(
     r"|(?P<module>(?:np|numpy|math|sp|sympy|sym)\.(?=[A-Za-z]))"
     rf"|(?P<word>{_WORD})"
     rf"|(?P<number>(?:{_LATEX_COMMA}|[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
-    rf"|(?P<sign>\*\*|[{re.escape(''.join(_OPERATORS))}])"
+    rf"|(?P<sign>\*\*|(?<=[\w)\]}}])\.(?=[^\W\d_]|[(\\])|[{re.escape(''.join(_OPERATORS))}])"
 )
-"""Everything but LaTeX, superscripts and decimal commas."""
+"""Everything but LaTeX, superscripts and decimal commas; a full stop between names is the dot of a product."""
+_MINUTES = regex(
+    r"(?P<degrees>[0-9]{1,3})[ ]?°[ ]?(?P<minutes>[0-5]?[0-9](?:\.[0-9]{1,9})?)[ ]?['′’]"  # noqa: RUF001
+    r"(?:[ ]?(?P<seconds>[0-5]?[0-9](?:\.[0-9]{1,9})?)[ ]?(?:[\"″”]|''|′′|’’))?",  # noqa: RUF001
+    re.ASCII,
+)
+"""An angle in degrees, minutes and seconds, `2°28′38″`."""
 _COMMAND = regex(r"\\([A-Za-z]+|.)", re.DOTALL)
 _SUBSCRIPT = regex(r"\s*(_\{[^{}]*\}|_[A-Za-z0-9])")
 _WRAPPED = regex(r"\s*\{\s*([A-Za-z0-9]+)\s*\}((?:_\{[^{}]*\}|_[A-Za-z0-9])?)")
@@ -154,7 +160,12 @@ def tokenize(source: Source, *, decimal_comma: bool = False, most: int = MOST_CH
         raise source.error(most, f"{len(text)} characters are more than the {most} that are read")
     tokens: list[Token] = []
     position, spaced, depth, length = 0, False, 0, len(text)
+    in_minutes = "°" in text and _MINUTES.search(text) is not None
     while position < length:
+        if in_minutes and (angle := _MINUTES.match(text, position)):
+            tokens += _in_degrees(angle, spaced=spaced)
+            position, spaced = angle.end(), False
+            continue
         match = _PIECE.match(text, position)
         kind = match.lastgroup if match else None
         if match and kind == "sign":
@@ -165,7 +176,11 @@ def tokenize(source: Source, *, decimal_comma: bool = False, most: int = MOST_CH
             position, spaced = end, False
         elif match and kind == "word":
             end, word = match.end(), match[0]
-            tokens.append(Token("word", word if word.isascii() else word.translate(_LOWERED), position, end, spaced))
+            if word in _SPOKEN:
+                tokens.append(Token("sign", _SPOKEN[word], position, end, spaced))
+            else:
+                plain = word if word.isascii() else word.translate(SUBSCRIPTS)
+                tokens.append(Token("word", plain, position, end, spaced))
             position, spaced = end, False
         elif match and kind == "number" and (depth or not decimal_comma):
             end = match.end()
@@ -179,6 +194,22 @@ def tokenize(source: Source, *, decimal_comma: bool = False, most: int = MOST_CH
             spaced = not found or found[-1].kind == "newline"
     tokens.append(Token("end", "", len(text), len(text), spaced))
     return tokens
+
+
+def _in_degrees(angle: re.Match[str], *, spaced: bool) -> Iterator[Token]:
+    """Degrees, minutes and seconds as the sum in degrees that they are, exactly."""
+    start, end = angle.span()
+    yield Token("sign", "(", start, start, spaced)
+    yield Token("number", angle["degrees"], start, angle.end("degrees"), spaced=False)
+    for name, parts in (("minutes", "60"), ("seconds", "3600")):
+        if angle[name]:
+            first, last = angle.span(name)
+            yield Token("sign", "+", first, first, spaced=False)
+            yield Token("number", angle[name], first, last, spaced=False)
+            yield Token("sign", "/", last, last, spaced=False)
+            yield Token("number", parts, last, last, spaced=False)
+    yield Token("sign", ")", end, end, spaced=False)
+    yield Token("sign", "°", end, end, spaced=False)
 
 
 def _rare(source: Source, start: int, *, spaced: bool) -> tuple[tuple[Token, ...], int]:
@@ -232,6 +263,8 @@ def _strange(source: Source, position: int) -> NotationError:
         return source.error(
             position, f"the letter {describe(letter)} looks like a Latin {latin} but is another", f"write {latin}"
         )
+    if letter in "∑Σ":
+        return source.error(position, f"{describe(letter)} means nothing here", "write the sum out, a1 + a2")
     if not "\udc80" <= letter <= "\udcff":  # a byte that Python could not read as a letter
         return source.error(position, f"{describe(letter)} means nothing here")
     message = "this letter did not arrive: the locale of the terminal is not UTF-8"

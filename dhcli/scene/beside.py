@@ -6,6 +6,7 @@ The axes of the other are wide and pale under those of the arm, so that both are
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 from dhcli.errors import RobotError
 from dhcli.geometry.vectors import Vector, dot
@@ -50,44 +51,42 @@ def beside_figure(arm: ArmAt, other: Robot | Traced, paper: Paper | None = None)
     skeleton = Skeleton.of(robot, values)
     theirs = other if isinstance(other, Traced) else traced_robot(other, robot, values)
     number, size = first_difference(skeleton, theirs), staged.scene.unit
-    near = [point for point in theirs.line if _is_near(point, skeleton)]
-    near += [
-        along(frame.origin, axis, ARROW * size)
-        for _, frame in theirs.frames
-        for axis in (frame.x, frame.z)
-        if _is_near(frame.origin, skeleton)
-    ]
-    camera = fitted(staged.scene, staged.view, paper, near)
-    shapes = [
-        *pins(staged.scene, camera, staged.scene.pinned),
-        *painted(staged.scene, camera, turns=False),
-    ]
+    camera = fitted(staged.scene, staged.view, paper, _near_points(theirs, skeleton, size))
+    shapes = [*pins(staged.scene, camera, staged.scene.pinned), *painted(staged.scene, camera, turns=False)]
     axes, wishes = frames(staged.scene, camera)
     under = [Shape(tuple(map(camera.flat, theirs.line)), "theirs")] if len(theirs.line) > 1 else []
-    at = dict(theirs.frames)
-    for arrow in arrows(tuple(at.values()), tuple(zip(at, range(len(at)), strict=True)), size):
-        frame = theirs.frames[arrow.start.state][1]
-        if not _is_near(frame.origin, skeleton):
-            continue
-        drawn, wish = _their_arrow(arrow, frame, camera)
+    for drawn, wish in _their_axes(theirs, skeleton, size, camera):
         under += drawn
-        if number is not None and any(run.text == number for run in arrow.words if run.below):
-            wishes.append(wish)
-    is_near = number is None or _is_near(at[number].origin, skeleton)
+        wishes += [wish] if any(run.below and run.text == f"{number}′" for run in wish.words) else []
+    wrong = None if number is None else dict(theirs.frames)[number].origin
+    is_near = wrong is None or _is_near(wrong, skeleton)
     mark = []
-    if number is not None and is_near:
-        mark.append(Shape(ring(camera.flat(at[number].origin), 18.0, 28), "theirs-mark", closed=True))
+    if wrong is not None and is_near:
+        mark.append(Shape(ring(camera.flat(wrong), 18.0, 28), "theirs-mark", closed=True))
     ink = Ink(paper.width, paper.height)
     ink.add([*shapes, *under, *axes, *mark])
     leaders, texts = placed(wishes, ink, paper.room, paper.lettering)
     does = "differs" if theirs.pairs else "breaks a rule"
     told = f"no frame {does}" if number is None else f"frame {number} is the first that {does}{theirs.note}"
-    aside = "" if is_near else ", far outside the picture"
-    caption = f"{staged.caption} · over it {theirs.name}: {told}{aside}"
-    everything = (*shapes, *under, *leaders, *axes, *mark)
-    return Figure(
-        paper.width, paper.height, everything, (*texts, *foot(robot.title, caption, paper)), robot.title, caption
-    )
+    caption = f"{staged.caption} · over it {theirs.name}: {told}{'' if is_near else ', far outside the picture'}"
+    everything, words = (*shapes, *under, *leaders, *axes, *mark), (*texts, *foot(robot.title, caption, paper))
+    return Figure(paper.width, paper.height, everything, words, robot.title, caption)
+
+
+def _near_points(theirs: Traced, skeleton: Skeleton, size: float) -> list[Vector]:
+    """What of the other is on the paper of the arm: its joints, and the tips of its axes."""
+    near = [frame for _, frame in theirs.frames if _is_near(frame.origin, skeleton)]
+    tips = [along(frame.origin, axis, ARROW * size) for frame in near for axis in (frame.x, frame.z)]
+    return [*(point for point in theirs.line if _is_near(point, skeleton)), *tips]
+
+
+def _their_axes(theirs: Traced, skeleton: Skeleton, size: float, camera: Camera) -> Iterator[tuple[list[Shape], Wish]]:
+    """The axes of the other that are on the paper of the arm, each with its name."""
+    numbered = tuple((name, k) for k, (name, _) in enumerate(theirs.frames))
+    for arrow in arrows(tuple(frame for _, frame in theirs.frames), numbered, size):
+        frame = theirs.frames[arrow.start.state][1]
+        if _is_near(frame.origin, skeleton):
+            yield _their_arrow(arrow, frame, camera)
 
 
 def first_difference(right: Skeleton, theirs: Traced) -> str | None:

@@ -13,8 +13,8 @@ from dhcli.scene.primitives import Ball, Drum, Face, Scene, Solid
 from dhcli.scene.shapes import Shape, hull, ring
 from dhcli.scene.vectors import add, along, centroid, norm, sub, unit
 
-RIM = 32
-"""Corners of the rim of a drum."""
+RIM = tuple((math.cos(t), math.sin(t)) for t in (math.tau * i / 32 for i in range(32)))
+"""Corners of the rim of a drum of radius one."""
 
 SKIN = 1e-9
 INSIDE = 0.98
@@ -52,7 +52,7 @@ class Cylinder:
         """Where a line goes through; see Body."""
         rel = sub(point, self.centre)
         height, climb = dot(rel, self.axis), dot(towards, self.axis)
-        p, d = sub(rel, scaled(self.axis, height)), sub(towards, scaled(self.axis, climb))
+        p, d = along(rel, self.axis, -height), along(towards, self.axis, -climb)
         a, b, c = dot(d, d), dot(p, d), dot(p, p) - self.radius * self.radius * INSIDE
         low, high = -math.inf, math.inf
         if a > SKIN:
@@ -67,17 +67,13 @@ class Cylinder:
     def rim(self, end: float) -> tuple[Vector, ...]:
         """The circle at one end."""
         middle = along(self.centre, self.axis, end * self.half)
-        u, v = self.across
-        turns = [2 * math.pi * i / RIM for i in range(RIM)]
-        return tuple(along(along(middle, u, self.radius * math.cos(t)), v, self.radius * math.sin(t)) for t in turns)
+        (u, v), radius = self.across, self.radius
+        return tuple(along(along(middle, u, radius * x), v, radius * y) for x, y in RIM)
 
     def samples(self) -> tuple[Vector, ...]:
         """Points of both rims, and of the middle."""
-        return (
-            *self.rim(1)[::4],
-            *self.rim(-1)[::4],
-            *(add(p, scaled(self.axis, -self.half)) for p in self.rim(1)[::4]),
-        )
+        top, down = self.rim(1)[::4], scaled(self.axis, -self.half)
+        return (*top, *self.rim(-1)[::4], *(add(p, down) for p in top))
 
     def shapes(self, camera: Camera) -> list[Shape]:
         """The side, shaded across, and the end that faces the reader."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
@@ -86,7 +86,8 @@ def best_view(scene: Scene) -> tuple[float, float]:
     """The view with least foreshortening and the joints apart."""
     cheap = [(view_score(scene, Camera.at(*view)) - BIAS * i, view) for i, view in enumerate(SEEN_FROM)]
     hopeful = sorted(cheap, key=lambda each: -each[0])[:LOOKED_AT]
-    return max(hopeful, key=lambda each: each[0] - HIDDEN * hidden(scene, Camera.at(*each[1])))[1]
+    hidden = hiding(scene)
+    return max(hopeful, key=lambda each: each[0] - HIDDEN * hidden(Camera.at(*each[1])))[1]
 
 
 def view_score(scene: Scene, camera: Camera) -> float:
@@ -110,21 +111,25 @@ def view_score(scene: Scene, camera: Camera) -> float:
     return 1.5 * _mean(shown) + clearness + 2.5 * _mean(apart) + _tips(scene, camera) + _corners(scene, camera)
 
 
-def hidden(scene: Scene, camera: Camera) -> float:
-    """The part of all bodies and rods that bodies in front of them hide."""
+def hiding(scene: Scene) -> Callable[[Camera], float]:
+    """What tells of a view which part of all bodies and rods is hidden by bodies in front of them."""
     bodies = [body_of(scene, solid) for solid in scene.solids]
     points = [(i, point) for i, body in enumerate(bodies) for point in body.samples()[::3]]
     for rod in scene.rods:
         start, end = scene.point(rod.start), scene.point(rod.end)
         points += [(-1, along(start, sub(end, start), t / 6)) for t in range(1, 6)]
-    found = 0
-    for owner, point in points:
-        for number, body in enumerate(bodies):
-            span = None if number == owner else body.span(point, camera.towards)
-            if span and span[0] > 0:
-                found += 1
-                break
-    return found / max(len(points), 1)
+
+    def hidden(camera: Camera) -> float:
+        found = 0
+        for owner, point in points:
+            for number, body in enumerate(bodies):
+                span = None if number == owner else body.span(point, camera.towards)
+                if span and span[0] > 0:
+                    found += 1
+                    break
+        return found / max(len(points), 1)
+
+    return hidden
 
 
 def _corners(scene: Scene, camera: Camera) -> float:

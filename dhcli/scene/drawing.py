@@ -103,7 +103,7 @@ class Drawing:
             DhcliError: Nothing moves, or something else is to stand in the picture too.
         """
         if not self.moves or not isinstance(self.what, Robot):
-            raise DhcliError("nothing moves in this picture", "to=POSE or path=ROWS say where to; --to or --in")
+            raise DhcliError("nothing moves in this picture", "to=POSE or path=ROWS say where to; --to or --rows")
         if self.table or self.worksheet or self.beside is not None:
             raise DhcliError("a film strip has no frames and no table", "leave --to out, or the other")
         if len(self.path) and (self.to is not None or self.q is not None or self.pose is not None):

@@ -1,11 +1,10 @@
-"""How full the paper is: a grid of cells of a few pixels, with sums over rectangles in no time."""
+"""How full the paper is: a grid of cells of a few pixels, and sums over rectangles of them."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from itertools import accumulate, pairwise
-from operator import add
+from itertools import pairwise
 
 from dhcli.scene.shapes import Shape, cuts, sides
 from dhcli.scene.vectors import Flat
@@ -26,11 +25,9 @@ class Ink:
         """An empty paper [px]."""
         self.columns, self.rows = math.ceil(width / CELL) + 1, math.ceil(height / CELL) + 1
         self.cells = [0] * (self.columns * self.rows)
-        self.table: list[int] | None = None
 
     def add(self, shapes: Iterable[Shape]) -> None:
         """Put shapes on paper."""
-        self.table = None
         for shape in shapes:
             if shape.look in _LIGHT:
                 continue
@@ -41,13 +38,15 @@ class Ink:
 
     def amount(self, left: float, top: float, right: float, bottom: float) -> int:
         """How much ink is in a rectangle."""
-        table = self.table or self._sums()
-        wide = self.columns + 1
+        wide = self.columns
         i, j = max(0, int(left / CELL)), max(0, int(top / CELL))
-        k, m = min(self.columns, int(right / CELL) + 1), min(self.rows, int(bottom / CELL) + 1)
-        if i >= k or j >= m:
+        k, m = min(wide, int(right / CELL) + 1), min(self.rows, int(bottom / CELL) + 1)
+        if i >= k:
             return 0
-        return table[m * wide + k] - table[j * wide + k] - table[m * wide + i] + table[j * wide + i]
+        cells, total = self.cells, 0
+        for row in range(j * wide, m * wide, wide):
+            total += sum(cells[row + i : row + k])
+        return total
 
     def along(self, a: Flat, b: Flat) -> int:
         """How much ink is on a line and near it."""
@@ -78,14 +77,3 @@ class Ink:
                 start, stop = max(0, round(left / CELL)), min(self.columns, round(right / CELL))
                 for at in range(j * self.columns + start, j * self.columns + stop):
                     self.cells[at] = max(self.cells[at], weight)
-
-    def _sums(self) -> list[int]:
-        """Make the summed-area table, when it is first asked for."""
-        wide = self.columns + 1
-        self.table = table = [0] * wide
-        for j in range(self.rows):
-            row = accumulate(self.cells[j * self.columns : (j + 1) * self.columns])
-            above = table[j * wide + 1 : (j + 1) * wide]
-            table.append(0)
-            table.extend(map(add, row, above))
-        return table

@@ -119,8 +119,11 @@ def placed(wishes: list[Wish], ink: Ink, room: Rect, lettering: Lettering = PRIN
         box = lettering.box(wish.words)
         best: tuple[float, Rect, Flat] | None = None
         for rings in (RINGS, FAR_RINGS):
-            for cost, rect, point in _places(wish, box, rings, room):
-                if (best and cost >= best[0]) or _is_taken(rect, taken):
+            for cost, (x, y), point in _places(wish, box, rings, room):
+                if best and cost >= best[0]:
+                    continue
+                rect = Rect(x - box[0] / 2, y - box[1] / 2, x + box[0] / 2, y + box[1] / 2)
+                if _is_taken(rect, taken):
                     continue
                 full = cost + _under(rect, point, ink, taken, leaders)
                 if best is None or full < best[0] - 1e-9:
@@ -139,22 +142,22 @@ def placed(wishes: list[Wish], ink: Ink, room: Rect, lettering: Lettering = PRIN
     return [Shape(line, "leader") for line in leaders], texts
 
 
-def _places(wish: Wish, box: Flat, rings: tuple[float, ...], room: Rect) -> Iterator[tuple[float, Rect, Flat]]:
-    """Every place of a label inside the room, with its cost by distance and side."""
+def _places(wish: Wish, box: Flat, rings: tuple[float, ...], room: Rect) -> Iterator[tuple[float, Flat, Flat]]:
+    """Every middle of a label inside the room, with its cost by distance and side, and the point it belongs to."""
     half_w, half_h = box[0] / 2, box[1] / 2
+    left, top, right, bottom = room.left + half_w, room.top + half_h, room.right - half_w, room.bottom - half_h
     wanted = math.hypot(*wish.away)
+    ways = []
+    for dx, dy in PLACES:
+        side = (dx * wish.away[0] + dy * wish.away[1]) / wanted if wanted > 1e-9 else 1.0  # noqa: PLR2004
+        to_edge = min(half_w / max(abs(dx), 1e-9), half_h * 0.8 / max(abs(dy), 1e-9))
+        ways.append((dx, dy, to_edge, TURNED * (1 - side)))
     for number, point in enumerate(wish.points):
         for ring in rings:
-            for dx, dy in PLACES:
-                reach = ring + min(half_w / max(abs(dx), 1e-9), half_h * 0.8 / max(abs(dy), 1e-9))
-                x, y = point[0] + dx * reach, point[1] + dy * reach
-                if x - half_w < room.left or x + half_w > room.right:
-                    continue
-                if y - half_h < room.top or y + half_h > room.bottom:
-                    continue
-                rect = Rect(x - half_w, y - half_h, x + half_w, y + half_h)
-                side = (dx * wish.away[0] + dy * wish.away[1]) / wanted if wanted > 1e-9 else 1.0  # noqa: PLR2004
-                yield DISTANCE * ring + TURNED * (1 - side) + 0.01 * number, rect, point
+            for dx, dy, to_edge, turned in ways:
+                x, y = point[0] + dx * (ring + to_edge), point[1] + dy * (ring + to_edge)
+                if left <= x <= right and top <= y <= bottom:
+                    yield DISTANCE * ring + turned + 0.01 * number, (x, y), point
 
 
 def _is_taken(rect: Rect, taken: list[Rect]) -> bool:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
-from dhcli.geometry.vectors import Vector
+from dhcli.geometry.vectors import UNITS, Vector
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Robot, Value
@@ -182,7 +182,7 @@ def extent(scene: Scene) -> list[Vector]:
             continue
         centre = scene.point(solid.centre)
         size = solid.radius * 1.5 if isinstance(solid, Drum | Ball) else solid.half
-        points += [along(centre, axis, sign * size) for axis in _AXES for sign in (1, -1)]
+        points += [along(centre, axis, sign * size) for axis in UNITS for sign in (1, -1)]
         if isinstance(solid, Drum | Box):
             axis = scene.direction(solid.centre.state, solid.axis)
             points += [along(centre, axis, sign * 2.0 * scene.unit) for sign in (1, -1)]
@@ -203,9 +203,6 @@ def extent(scene: Scene) -> list[Vector]:
 def add_flat(point: Vector, x: float, y: float) -> Vector:
     """A point moved in the plane of x and y."""
     return point[0] + x, point[1] + y, point[2]
-
-
-_AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 def posed(robot: Robot, q: JointInput, pose: str | None, full: Values, bare: Bare) -> tuple[str, Mapping[str, Value]]:

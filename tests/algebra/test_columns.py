@@ -14,6 +14,7 @@ from dhcli.algebra.program import Program, assemble
 from dhcli.algebra.tape import Tape
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
+from tests.row_by_row import row_by_row
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -31,7 +32,7 @@ def played(*texts: str, variables: str = "a b", known: dict[str, Angle | float] 
     return columns.play(np.array([[-1.0, 0.0, 4.0], [2.0, 3.0, 0.5]]))
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "wanted"),
     [
         ("a", [-1, 0, 4]),

@@ -19,6 +19,7 @@ from dhcli.kinematics.recorded import recorded_pose
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.parser import parse
 from tests.kinematics.arms import moving_robots, with_values
+from tests.row_by_row import row_by_row
 
 
 def program(*texts: str) -> Program:
@@ -57,7 +58,7 @@ def test_a_step_without_a_value_raises_what_math_raises() -> None:
 WRITTEN = re.compile(r"(r\d+|k\d+|k\d+=k\d+|q|[-+*/=(),:\[\]]|\s|def play|return|0\.0)*")
 
 
-@pytest.mark.parametrize("name", moving_robots())
+@row_by_row("name", moving_robots())
 def test_a_function_is_made_of_register_numbers_alone(name: str) -> None:
     """Whatever a robot calls its joints and lengths: registers, signs and the functions of a fixed list."""
     robot = load_robot(name)

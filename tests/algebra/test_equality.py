@@ -12,6 +12,7 @@ from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Symbol, add, multiply, number
 from tests.nightly import examples
+from tests.row_by_row import row_by_row
 from tests.strategies import LENGTHS, THETAS, polynomials
 
 IDENTITIES = [
@@ -51,13 +52,13 @@ IDENTITIES = [
 """Each side is another way to say the other."""
 
 
-@pytest.mark.parametrize(("one", "other"), IDENTITIES)
+@row_by_row(("one", "other"), IDENTITIES)
 def test_an_identity_holds(one: str, other: str) -> None:
     """Whatever the form."""
     assert equal(parse(one), parse(other))
 
 
-@pytest.mark.parametrize(("one", "other"), IDENTITIES)
+@row_by_row(("one", "other"), IDENTITIES)
 def test_an_identity_that_is_off_by_little_does_not(one: str, other: str) -> None:
     """By one part in 10^20, by one per cent, by a sign: certainly unequal."""
     right = parse(other)
@@ -65,7 +66,7 @@ def test_an_identity_that_is_off_by_little_does_not(one: str, other: str) -> Non
         assert not equal(parse(one), wrong)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("one", "other"),
     [
         ("c12", "c1 c2 + s1 s2"),
@@ -92,7 +93,7 @@ def test_unequal_is_unequal(one: str, other: str) -> None:
     assert not equal(parse(one), parse(other))
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("one", "other", "verdict"),
     [
         ("√(a² + b²)", "√(b² + a²)", True),

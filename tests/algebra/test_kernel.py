@@ -20,6 +20,7 @@ from dhcli.algebra.loop import LONG, MIDDLE, MOST_QUARTERS, SHORT
 from dhcli.algebra.program import Program, assemble
 from dhcli.algebra.tape import Tape
 from dhcli.notation.parser import parse
+from tests.row_by_row import row_by_row
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -66,7 +67,7 @@ ANGLES = {
 }
 
 
-@pytest.mark.parametrize("kind", ANGLES)
+@row_by_row("kind", ANGLES)
 def test_sine_and_cosine_are_right_to_the_last_digit_but_one(kind: str) -> None:
     """3e-16 from those of many digits, at any angle that the loop takes."""
     rows = np.stack([ANGLES[kind]] * 2, axis=1)
@@ -110,7 +111,7 @@ def test_the_loop_says_what_columns_say() -> None:
         assert played(made, rows) == pytest.approx(Columns(made, 8).play(rows.T).T, abs=1e-15)
 
 
-@pytest.mark.parametrize("count", [1, 7, 8, 9, 40, 41])
+@row_by_row("count", [1, 7, 8, 9, 40, 41])
 def test_rows_are_played_alike_however_many_at_a_time(count: int) -> None:
     """Fewer than are turned into columns at once, as many, and some left over."""
     rows = np.random.default_rng(count).uniform(0.1, 4, (count, 2))

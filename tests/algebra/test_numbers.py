@@ -24,6 +24,7 @@ from dhcli.notation.parser import parse
 from dhcli.notation.tree import Expr, number
 from dhcli.notation.trig import cosine, sine
 from tests.nightly import examples
+from tests.row_by_row import row_by_row
 from tests.strategies import exact_angles
 
 FIELDS = [field_of_the_day(), Field(720 * 3 * 7 + 1) if is_prime(720 * 3 * 7 + 1) else Field(2161)]
@@ -118,7 +119,7 @@ def test_the_cosine_of_an_angle_is_the_cosine_of_its_tree(angle: Angle) -> None:
     assert (over.value(cosine(angle)), over.value(sine(angle))) == pytest.approx((cosine_, sine_), abs=1e-12)
 
 
-@pytest.mark.parametrize("quarters", range(-5, 9))
+@row_by_row("quarters", range(-5, 9))
 def test_right_angles_are_structural_in_every_arithmetic(quarters: int) -> None:
     """The integers 0, 1 and -1 before any float, array or symbol exists."""
     angle = Angle.in_degrees(90 * quarters)

@@ -1,4 +1,4 @@
-"""Poses of rows in files: `dhcli fk --in` beside numpy's own way to read, compute and write the same file at once."""
+"""Poses of rows in files: `dhcli fk --rows` beside numpy's own way to read, compute and write the same file at once."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def rows(rounds: int) -> Iterator[Row]:
             for name, ours in ways.items():
                 row = side_by_side(
                     f"{POSES[kind]} rows of {kind}",
-                    Task(f"fk --in{name}", partial(ours, kind)),
+                    Task(f"fk --rows{name}", partial(ours, kind)),
                     Task(peer, work),
                     _same,
                     rounds=rounds,
@@ -54,8 +54,8 @@ def rows(rounds: int) -> Iterator[Row]:
             if kind != "npy":
                 yield side_by_side(
                     f"{POSES[kind]} rows of {kind}",
-                    Task("fk --in, orjson", partial(_whole, _dhcli, kind)),
-                    Task("fk --in, plain Python", partial(_whole, _plainly, kind)),
+                    Task("fk --rows, orjson", partial(_whole, _dhcli, kind)),
+                    Task("fk --rows, plain Python", partial(_whole, _plainly, kind)),
                     bytes.__eq__,
                     rounds=rounds,
                     note="the same bytes",
@@ -69,7 +69,7 @@ def _blocks(rounds: int) -> Row:
     row = side_by_side(
         f"{len(q)} poses",
         Task(
-            f"blocks of {ROWS}, as fk --in",
+            f"blocks of {ROWS}, as fk --rows",
             lambda: [wanted.poses(q[k : k + ROWS])[-1, 0].copy() for k in _starts(len(q))],
         ),
         Task("forward_batch, one call", lambda: forward_batch(ROBOT, q)),
@@ -117,8 +117,8 @@ def _whole(work: Callable[[str], object], kind: str) -> bytes:
 def _dhcli(kind: str) -> NDArray[np.float64]:
     """What a user types, in this process; what stands in the file then, shape (N, 3, 4)."""
     with open(os.devnull, "w", encoding="utf-8") as nowhere, contextlib.redirect_stderr(nowhere):  # noqa: PTH123
-        if main(["fk", ROBOT.name, "--in", f"q.{kind}", "-o", f"p.{kind}", "--overwrite"]):
-            raise SystemExit(f"dhcli fk --in q.{kind} does not work")
+        if main(["fk", ROBOT.name, "--rows", f"q.{kind}", "-o", f"p.{kind}", "--overwrite"]):
+            raise SystemExit(f"dhcli fk --rows q.{kind} does not work")
     return _last(kind, "p")
 
 

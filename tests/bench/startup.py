@@ -21,7 +21,7 @@ COMMANDS = (
     "--help",
     "fk scara --q 0.3,0.5,0.1",
     "fk puma560 --symbolic",
-    "fk puma560 --in q.csv",
+    "fk puma560 --rows q.csv",
     "sweep puma560 --over q1",
     "jacobian puma560 --symbolic",
     "singularities puma560",

@@ -12,6 +12,7 @@ import pytest
 from dhcli.checking.judge import Judge
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.files.yaml.exercises import load_exercise
+from tests.row_by_row import row_by_row
 
 ARM, LINK = "yim/planar-two-links", "yim/dh-factors"
 FORMULAS, VALUES, REACH = "inverse/planar-joints", "inverse/planar-joints-in-numbers", "inverse/planar-reach"
@@ -105,12 +106,29 @@ READ = [
     ),
     (CHANGE, "base", "-8.66x10^-3, -5x10^-3, 0, -4.062 x 10⁻³; 0,0,10^-2,0; 0,0,0,10^-3; 0,0,0,0", ("-4", "-6")),
     *(("yim/scara-in-numbers", "turn", f"{about}60°", ("60", "61")) for about in ("ca. ", "about ", "~", "≈ ")),
+    (COUNTS, "gruebler", "λ(N - J - 1) + J f", ("- 1", "+ 1")),
+    (COUNTS, "gruebler", "lambda (N-1-j) + j.f", ("-1", "-2")),
+    (JACOBIAN, "column1", "-A1 S1 - A2 S12; A1 C1 + A2 C12; 0", ("A1 C1", "A2 C1")),
+    (JACOBIAN, "column1", "-a1 sin t1 - a2 sin(t1+t2); a1 cos t1 + a2 cos(t1+t2); 0", ("cos t1", "cos t2")),
+    (JACOBIAN, "column1", "-a1.sin th1 - a2.s(th12); a1.cos th1 + a2.c(th12); 0", ("cos th1", "cos th2")),
+    (JACOBIAN, "singular", "θ2 ∈ {0, π}", ("π", "π/2")),
+    (JACOBIAN, "singular", r"\theta_2 \in \{0, \pi\}", ("2", "1")),
+    (JACOBIAN, "singular", "theta2 in {0°, 180°}", ("180", "90")),
+    (FORMULAS, "elbow", "±acos((r^2 - a1^2 - a2^2)/(2 a1 a2)) where r^2 = px^2 + py^2", ("- a2^2", "+ a2^2")),
+    (FORMULAS, "elbow", "r² = px²+py²; t2 = ±acos((r² - a1² - a2²)/(2a1a2))", ("- a2²", "+ a2²")),
+    (FORMULAS, "elbow", "plus or minus acos((px^2+py^2-A1^2-A2^2)/(2 A1 A2))", ("-A2^2", "+A2^2")),
     (FORMULAS, "elbow", "±cos⁻¹((px²+py²-a1²-a2²)/(2a1a2))", ("-a2²", "+a2²")),
     (FORMULAS, "elbow", r"±\cos^{-1}\left(\frac{px^2+py^2-a1^2-a2^2}{2a1a2}\right)", ("-a2^2", "+a2^2")),
     (FORMULAS, "elbow", "theta2 = ±cos^(-1)(D), D = (px^2+py^2-a1^2-a2^2)/(2a1a2)", ("-a2^2", "+a2^2")),
     (FORMULAS, "elbow", "±ACOS((px^2+py^2-a1^2-a2^2)/(2*a1*a2))", ("-a2^2", "+a2^2")),
     (FORMULAS, "elbow", "±arccos((pₓ² + p_y² − a₁² − a₂²)/(2·a₁·a₂))", ("2·a", "3·a")),
     (FORMULAS, "shoulder", "Atan2(py,px)-Atan2(a2s2,a1+a2c2)", ("py,px", "px,py")),
+    (VALUES, "all", "[2.48 59.45; 67.98 -67.98]^T", ("-67.98", "66.98")),
+    (VALUES, "all", "[2.48 67.98]^T, [59.45 -67.98]^T", ("-67.98", "67.98")),
+    (VALUES, "all", "[2.48; 67.98], [59.45; -67.98]", ("-67.98", "67.98")),
+    (VALUES, "all", "(2.48 67.98)\n(59.45 -67.98)", ("-67.98", "67.98")),
+    (VALUES, "any", "2°28′38″, 67°58′33″", ("67°", "66°")),
+    (VALUES, "any", "t1 = 2° 28', t2 = 67° 58'", ("67°", "66°")),
     (VALUES, "any", "(2.48°|67.98°)", ("67.98", "66.98")),
     (VALUES, "any", "q = (2.48, 67.98)°", ("67.98", "66.98")),
     (VALUES, "all", "1. 2.48° 67.98°\n2. 59.45° -67.98°", ("-67.98", "67.98")),
@@ -132,7 +150,7 @@ READ = [
 ]
 
 
-@pytest.mark.parametrize(("exercise", "part", "answer", "slip"), READ)
+@row_by_row(("exercise", "part", "answer", "slip"), READ)
 def test_an_answer_is_read_as_it_is_typed(exercise: str, part: str, answer: str, slip: tuple[str, str]) -> None:
     """And with a slip in it it is wrong."""
     mark = told(exercise, part, answer)
@@ -143,7 +161,7 @@ def test_an_answer_is_read_as_it_is_typed(exercise: str, part: str, answer: str,
     assert told(exercise, part, f"{before}{wrong}{behind}").verdict in (Verdict.WRONG, Verdict.CLOSE)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("exercise", "part", "answer", "said"),
     [
         (ARM, "a1", "Rot(z,θ1) Trans(a1,0,0)", "these are moves; what they make was asked, number by number"),
@@ -156,6 +174,13 @@ def test_an_answer_is_read_as_it_is_typed(exercise: str, part: str, answer: str,
         (FORMULAS, "elbow", "cos⁻¹(0.5)", "cos to a negative power can be read in two ways"),
         (FORMULAS, "shoulder", "ATAN2(px,py)", "a spreadsheet has x first: write atan2(y, x)"),
         (REACH, "ways", "2 or 4 solutions", "a number of solutions is a whole number"),
+        (VALUES, "all", "[2.48 67.98; 59.45 -67.98]^T", "right without the sign of a transposition"),
+        (VALUES, "all", "[2.48 59.45; 67.98 -67.98]", "right if the columns are the solutions"),
+        (COUNTS, "constraint", "6 - F", "F is not a name that is known here"),
+        (COUNTS, "gruebler", "λ(N-n-1) + j f", "N stands beside n: are they the same?"),
+        (COUNTS, "gruebler", "λ(n-j-1) + Σf", "(write the sum out, a1 + a2)"),
+        (FORMULAS, "elbow", "±acos(r/(2a1a2)); r^2 = px^2 + py^2", "r stands without its square"),
+        (JACOBIAN, "column1", "-T1 s1; a1 c1; 0", "T1 is not a name that is known here"),
         (COUNTS, "sixr", "6 apples", "apples"),
         (COUNTS, "sixr", "6 links", "links"),
         (COUNTS, "links", "DoF: 7", "DoF is not a name"),

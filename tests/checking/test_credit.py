@@ -17,6 +17,7 @@ from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError, FileError
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.files.yaml.sheets import read_sheet, write_sheet
+from tests.row_by_row import row_by_row
 
 LINK = "0.8660 -0.5 0 0.3464; 0.5 0.8660 0 0.2; 0 0 1 0; 0 0 0 1"
 HEAD = "format: 1\ntitle: t\nsource: s\ntask: t\nrobot: planar-2r\n"
@@ -121,8 +122,8 @@ def test_what_is_rounded_earns_its_share(credit: str, share: float) -> None:
     assert earned(exercise("link 1", credit), answer) == (Verdict.ROUNDED, share)
 
 
-@pytest.mark.parametrize(("credit", "share"), [("1", 0.5), ("{unit: 0}", 0), ("{unit: 0.9}", 0.9)])
-@pytest.mark.parametrize(
+@row_by_row(("credit", "share"), [("1", 0.5), ("{unit: 0}", 0), ("{unit: 0.9}", 0.9)])
+@row_by_row(
     ("ask", "answer"),
     [
         ("position of link 1", "346.4, 200, 0"),

@@ -24,6 +24,7 @@ from dhcli.render.paper import Paper
 from dhcli.render.text.matrix import matrix_lines
 from tests.judging import case_of, expected, mark, mark_sheet, solution
 from tests.nightly import in_turn, some
+from tests.row_by_row import row_by_row
 
 ROOT = Path(__file__).parents[2]
 NAMES = sorted(
@@ -31,8 +32,6 @@ NAMES = sorted(
 )
 PROGRAMS = ("matlab", "numpy", "sympy")
 Rows = list[list[str]]
-
-exercises = pytest.mark.parametrize("name", NAMES)
 
 
 def thirds(turn: int) -> pytest.MarkDecorator:
@@ -144,7 +143,7 @@ def test_the_identity_earns_nothing_unless_it_is_right(name: str) -> None:
             assert judged.earned == float(judged.verdict is Verdict.RIGHT), part.id
 
 
-@exercises
+@pytest.mark.parametrize("name", NAMES)
 def test_its_own_tests_come_out(name: str) -> None:
     """Every exercise tests itself, with a right answer and with a wrong one."""
     exercise = loaded(name)
@@ -155,7 +154,7 @@ def test_its_own_tests_come_out(name: str) -> None:
     assert {"RIGHT", "WRONG"} <= {trial.verdict for trial in exercise.trials}
 
 
-@exercises
+@thirds(1)
 def test_every_part_has_hints_and_a_solution(name: str) -> None:
     """From gentle to plain, none twice; the solution ends with an answer that is right when it is copied."""
     exercise = loaded(name)
@@ -169,7 +168,7 @@ def test_every_part_has_hints_and_a_solution(name: str) -> None:
         assert mark(exercise, part, answer).verdict is Verdict.RIGHT, part.id
 
 
-@exercises
+@row_by_row("name", NAMES)
 def test_a_printed_answer_is_right_or_recognised_as_a_misprint(name: str) -> None:
     """Who copies the document is told so, and who copies what is right is right."""
     exercise = loaded(name)
@@ -183,7 +182,7 @@ def test_a_printed_answer_is_right_or_recognised_as_a_misprint(name: str) -> Non
             assert not any(str(part.question.right) in remark for remark in judged.remarks)
 
 
-@exercises
+@row_by_row("name", NAMES)
 def test_it_says_where_it_comes_from_and_what_to_do(name: str) -> None:
     """Nothing is left empty, and every credit is worth something."""
     exercise = loaded(name)

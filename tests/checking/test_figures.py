@@ -16,6 +16,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.mobility.linkage import Linkage
 from dhcli.render.pictures.picture import Picture
 from tests.nightly import in_turn
+from tests.row_by_row import row_by_row
 
 
 def test_frames_are_shown_beside_these_kinds_of_questions_only() -> None:
@@ -23,7 +24,7 @@ def test_frames_are_shown_beside_these_kinds_of_questions_only() -> None:
     assert {kind.words[0] for kind in KINDS if kind.may_show_frames} == {"link", "scalar", "count"}
 
 
-@pytest.mark.parametrize("name", [entry.name for entry in entries(Kind.EXERCISES)])
+@row_by_row("name", [entry.name for entry in entries(Kind.EXERCISES)])
 def test_no_picture_shows_the_frames_where_a_table_is_asked(name: str) -> None:
     """And an exercise without a robot has no picture."""
     exercise = load_exercise(name)
@@ -45,7 +46,7 @@ SHOWN_BESIDE = {
 ALWAYS = {"number", "caption"}
 
 
-@pytest.mark.parametrize("name", in_turn([entry.name for entry in entries(Kind.EXERCISES)], 0, 2))
+@pytest.mark.parametrize("name", in_turn([entry.name for entry in entries(Kind.EXERCISES)], 0, 3))
 def test_no_label_in_a_picture_says_more_than_every_part_of_the_task_allows(name: str) -> None:
     """What is drawn, label by label, against the list; linkages have no name, no number and no count."""
     exercise = load_exercise(name)

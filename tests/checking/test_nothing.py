@@ -8,12 +8,13 @@ from dhcli.checking.verdicts import Verdict
 from dhcli.files.yaml.exercises import load_exercise
 from tests.checking.mutated_kinds import MATRICES, cells_of, exercise_of, written
 from tests.judging import expected, mark
+from tests.row_by_row import row_by_row
 
 ZERO = "1e6*(0.1*(c1 + 1) - 0.1*(1 + c1))"
 
 
-@pytest.mark.parametrize("kind", MATRICES)
-@pytest.mark.parametrize("nothing", [ZERO, "1e6*(0.10 - 0.09)", "1000*(0.1*c1 - 0.1*s1)", "sqrt(-1)", "acos(2)"])
+@row_by_row("kind", MATRICES)
+@row_by_row("nothing", [ZERO, "1e6*(0.10 - 0.09)", "1000*(0.1*c1 - 0.1*s1)", "sqrt(-1)", "acos(2)"])
 def test_decimals_are_no_blank_cheque(kind: str, nothing: str) -> None:
     """A zero made of decimals, or what is no number, is not approximately everything, in any kind of matrix."""
     exercise, part = exercise_of(MATRICES[kind])
@@ -69,8 +70,8 @@ def test_a_count_is_exactly_a_whole_number(answer: str, verdict: Verdict) -> Non
     assert mark(exercise, part, answer).verdict is verdict
 
 
-@pytest.mark.parametrize("ask", ["scalar cos(theta1)", "entry 1 1 of link 1"])
-@pytest.mark.parametrize(
+@row_by_row("ask", ["scalar cos(theta1)", "entry 1 1 of link 1"])
+@row_by_row(
     ("answer", "verdict"),
     [
         ("sqrt(3)/2", Verdict.RIGHT),

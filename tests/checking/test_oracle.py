@@ -15,6 +15,7 @@ from tests.checking.mutations import MUTATIONS, torn
 from tests.cli.running import run
 from tests.judging import checked, mark
 from tests.nightly import NIGHT, some
+from tests.row_by_row import row_by_row
 
 MANY = 2000 if NIGHT else 15
 
@@ -37,7 +38,7 @@ def test_no_verdict_is_wrong(kind: str) -> None:
     assert wrong == []
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@row_by_row("kind", KINDS)
 def test_torn_text_is_judged_or_refused_and_never_a_bug(kind: str) -> None:
     """Whatever characters are lost or put in, there is a verdict, and its explanation."""
     draw = Random(5)  # noqa: S311  the same each time

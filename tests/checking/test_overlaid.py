@@ -29,7 +29,7 @@ def _overlaid(exercise: Exercise, part: str, answer: str, values: Values) -> Ove
     return found
 
 
-@pytest.mark.parametrize("name", in_turn([entry.name for entry in entries(Kind.EXERCISES)], 1, 2))
+@pytest.mark.parametrize("name", in_turn([entry.name for entry in entries(Kind.EXERCISES)], 1, 3))
 def test_the_right_answer_lies_on_the_right_frame(name: str) -> None:
     """Of every table, pose, rotation and position of the library, at each pose that may be drawn."""
     exercise = load_exercise(name)

@@ -7,11 +7,11 @@ from dataclasses import replace
 import pytest
 
 from dhcli import load_robot
-from dhcli.checking.entries import LARGEST
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.judge import check
 from dhcli.checking.kinds.made import question_about
 from dhcli.checking.kinds.matrix import MatrixQuestion
+from dhcli.checking.pasted import LARGEST
 from dhcli.checking.verdicts import Verdict
 from dhcli.checking.wanted import View
 from dhcli.cli.main import main

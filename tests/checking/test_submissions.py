@@ -14,6 +14,7 @@ from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from tests.judging import mark
+from tests.row_by_row import row_by_row
 
 TABLE: dict[str, Any] = json.loads((Path(__file__).parents[1] / "data" / "submissions.json").read_text("utf-8"))
 SUBMISSIONS: list[dict[str, Any]] = TABLE["submissions"]
@@ -34,7 +35,7 @@ def asked(target: str) -> tuple[Exercise, Part]:
     return exercise, exercise.parts[0]
 
 
-@pytest.mark.parametrize("submission", SUBMISSIONS, ids=lambda submission: submission["id"])
+@row_by_row("submission", SUBMISSIONS)
 def test_a_submission_gets_the_verdict_of_a_fair_lecturer(submission: dict[str, Any]) -> None:
     """And the remark and the credit, where the table has them."""
     exercise, part = asked(submission["target"])

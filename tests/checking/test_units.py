@@ -10,6 +10,7 @@ from dhcli.notation.quantity import LENGTH_UNITS
 from tests.checking.mutated_kinds import cells_of, exercise_of, written
 from tests.judging import answer_with, expected, mark, shortest, slips
 from tests.nightly import NIGHT, paired
+from tests.row_by_row import row_by_row
 
 UNITS = ("m", "cm", "mm", "in", "none")
 
@@ -48,7 +49,7 @@ PLAIN: dict[str, str] = {
 ASKED = (*LENGTHS.values(), *PLAIN.values())
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("asked", "unit"),
     paired([*((ask, True) for ask in ASKED), *((ask, False) for ask in ASKED if not ask.startswith("rpy"))], UNITS),
 )
@@ -60,8 +61,8 @@ def test_the_right_answer_is_right_as_it_is_shown(asked: tuple[str, bool], unit:
         assert mark(exercise, part, text).verdict is Verdict.RIGHT, text
 
 
-@pytest.mark.parametrize("unit", [unit for unit in UNITS if unit != "none"])
-@pytest.mark.parametrize("ask", [ask for name, ask in LENGTHS.items() if "link" in name or name in ("scalar", "cell")])
+@row_by_row("unit", [unit for unit in UNITS if unit != "none"])
+@row_by_row("ask", [ask for name, ask in LENGTHS.items() if "link" in name or name in ("scalar", "cell")])
 def test_numbers_are_those_of_metres_divided_by_the_unit(ask: str, unit: str) -> None:
     """The same question on a sheet in metres and in another unit, its own bare numbers a unit's worth each."""
     metres = float(LENGTH_UNITS[unit])

@@ -167,7 +167,7 @@ def test_joints_that_add_up_to_a_right_angle_are_never_drawn() -> None:
 @varied
 def test_no_mistake_hides_behind_a_draw(name: str) -> None:
     """Every mistake that some student of fifty could be caught at, all of them can."""
-    found = [hides(variant(name, seed)) for seed in in_turn(FIFTY, 0, 2)]
+    found = [hides(variant(name, seed)) for seed in in_turn(FIFTY, 0, 5)]
     assert set(found) == {frozenset.intersection(*found)}
 
 
@@ -187,7 +187,7 @@ def test_what_the_question_itself_hides_stops_no_draw() -> None:
     planar = load_exercise("yim/planar-in-numbers")
     fixed = {**planar.given, "theta2": Angle.in_degrees(90)}
     exercise = replace(planar, given=fixed, variants={"theta1": angles(*range(20, 45, 4))})
-    found = [hides(vary(exercise, seed)) for seed in FIFTY]
+    found = [hides(vary(exercise, seed)) for seed in in_turn(FIFTY, 0, 3)]
     assert found[0]
     assert set(found) == {frozenset.intersection(*found)}
     assert vary(exercise, "alice").given == next(drawing._fair(judge_of(exercise), "alice")).exercise.given

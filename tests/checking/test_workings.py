@@ -22,6 +22,7 @@ from dhcli.notation.quantity import to_length
 from dhcli.notation.writer import write, write_angle
 from tests.judging import expected, mark, shortest, solution
 from tests.nightly import in_turn
+from tests.row_by_row import row_by_row
 
 EXERCISES = [entry.name for entry in entries(Kind.EXERCISES)]
 
@@ -78,7 +79,7 @@ def test_the_product_of_a_point_is_the_answer(name: str) -> None:
                 assert same(left, right, {})
 
 
-@pytest.mark.parametrize("name", in_turn(EXERCISES, 2, 3))
+@row_by_row("name", in_turn(EXERCISES, 2, 3))
 def test_a_table_is_shown_row_by_row(name: str) -> None:
     """With the four values named, their equals signs below each other."""
     exercise = load_exercise(name)
@@ -92,7 +93,7 @@ def test_a_table_is_shown_row_by_row(name: str) -> None:
                 assert all(f" {column} = " in line for line in lines)
 
 
-@pytest.mark.parametrize("name", in_turn(EXERCISES, 0, 3))
+@row_by_row("name", in_turn(EXERCISES, 0, 3))
 def test_each_cell_of_a_table_is_found_on_the_way(name: str) -> None:
     """The steps say each x axis with its four cells, and those are the cells of the answer."""
     exercise = load_exercise(name)
@@ -113,7 +114,7 @@ def test_each_cell_of_a_table_is_found_on_the_way(name: str) -> None:
         assert told.index("1  z axes: DH1: ") < told.index("\n3  x axes: ") < told.index("\n4  Each row leads")
 
 
-@pytest.mark.parametrize("name", in_turn(EXERCISES, 1, 3))
+@row_by_row("name", in_turn(EXERCISES, 1, 3))
 def test_a_cell_of_a_table_is_found_in_its_step(name: str) -> None:
     """The one that has the cell, in either convention."""
     exercise = load_exercise(name)

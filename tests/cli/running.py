@@ -1,16 +1,22 @@
-"""Running a command in this process as if it had one of its own, and what it leaves behind."""
+"""Running a command in this process as if it had one of its own, or in a copy of it, and what it leaves behind."""
 
 from __future__ import annotations
 
+import gc
 import io
 import json
 import os
+import signal
+import subprocess
 import sys
+import traceback
+import warnings
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, BinaryIO, TextIO, TypeAlias
+from pathlib import Path
+from typing import Any, BinaryIO, NoReturn, TextIO, TypeAlias
 
 import pytest
 
@@ -21,6 +27,7 @@ from dhcli.cli.main import main
 app.build, app.load = cache(app.build), cache(app.load)
 
 STREAMS = ("stdin", "stdout", "stderr")
+PIPES = dict.fromkeys(STREAMS, subprocess.PIPE)
 
 
 @dataclass(frozen=True)
@@ -112,6 +119,54 @@ def nobody_reads() -> Iterator[TextIO]:
     os.close(reading)
     with open(writing, "w", buffering=1, encoding="utf-8") as stream:  # noqa: PTH123  a descriptor
         yield stream
+
+
+def start(
+    folder: Path,
+    *words: str,
+    environment: Mapping[str, str] | None = None,
+    prepare: Callable[[], None] | None = None,
+    **streams: Any,  # noqa: ANN401  as Popen takes them
+) -> subprocess.Popen[str]:
+    """Start `dhcli` in a process of its own, which can be stopped or need not end.
+
+    It is a copy of this one that never becomes another program: no start of Python, nothing to import.
+
+    Args:
+        folder: Where it works.
+        words: What is typed after `dhcli`.
+        environment: Variables to set.
+        prepare: What to do in the process before.
+        streams: Of the process, and whether it gets a session of its own; all as Popen has them.
+    """
+
+    def copy() -> NoReturn:
+        code = 70  # of a fault in what tests
+        try:
+            _begin()
+            os.environ.update(environment or {})
+            if prepare:
+                prepare()
+            code = main(words)
+            sys.stdout.flush()
+        except BaseException:  # noqa: BLE001  the test sees it
+            traceback.print_exc()
+        finally:
+            os._exit(code)
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)  # no thread of the tests holds what a command needs
+        return subprocess.Popen([sys.executable], cwd=folder, text=True, preexec_fn=copy, **streams)  # noqa: PLW1509
+
+
+def _begin() -> None:
+    """Have what a process has that Python has just begun: three streams, no other file, and no end by a broken pipe."""
+    gc.freeze()  # nothing of the tests is given back, for it would close files by their numbers
+    os.closerange(3, 4096)
+    signal.signal(signal.SIGPIPE, signal.SIG_IGN)
+    sys.stdin = open(0, encoding="utf-8")  # noqa: SIM115  descriptors, closed with the process
+    sys.stdout = open(1, "w", encoding="utf-8")  # noqa: SIM115
+    sys.stderr = open(2, "w", buffering=1, encoding="utf-8", errors="backslashreplace")  # noqa: SIM115
 
 
 def _stdin(content: str | BinaryIO | None) -> TextIO:

@@ -13,7 +13,6 @@ import re
 import select
 import signal
 import struct
-import subprocess
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -25,9 +24,8 @@ from typing import Self, TextIO
 import pytest
 
 from dhcli.cli.main import main
-from tests.cli.running import STREAMS
+from tests.cli.running import STREAMS, start
 
-ROOT = Path(__file__).parents[2]
 PATIENCE = 30.0
 """Seconds after which what has not come will not come."""
 MOMENT = 1.0
@@ -119,11 +117,7 @@ class _Process:
 
     def __init__(self, folder: Path, words: Sequence[str], terminal: int, environment: dict[str, str]) -> None:
         """Start it on a terminal, given by its descriptor."""
-        command = [sys.executable, "-m", "dhcli", *words]
-        environment = {**os.environ, "PYTHONPATH": str(ROOT), **environment}
-        self.process = subprocess.Popen(
-            command, stdin=terminal, stdout=terminal, stderr=terminal, cwd=folder, env=environment
-        )
+        self.process = start(folder, *words, environment=environment, stdin=terminal, stdout=terminal, stderr=terminal)
         os.close(terminal)
 
     def wait(self) -> int:

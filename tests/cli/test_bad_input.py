@@ -6,9 +6,10 @@ from pathlib import Path
 import pytest
 
 from tests.cli.running import Run
+from tests.row_by_row import row_by_row
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("words", "said"),
     [
         ("fk", "dhcli fk needs 'ROBOT'"),
@@ -80,8 +81,6 @@ from tests.cli.running import Run
         ("transform Rot(z,90)", "write 90° or 1.5708 rad"),
         ("ik scara --target 0.3,0.3,0", "write --position 0.3,0.3,0, where"),
         ("transform Rot(z,-1.5)", "write -1.5° or -1.5 rad"),
-        ("fk scara --rows q.csv", "did you mean --in FILE?"),
-        ("ik scara --rows q.csv", "did you mean --in FILE?"),
         ("jacobian scara --in q.csv", "dhcli jacobian scara --rows q.csv"),
         ("fk scara --q 30\udcc2\udcb0,0,0", "write deg, pi, sqrt, theta1"),
         ("transform Trans(1,2)", "Trans"),
@@ -157,7 +156,7 @@ def test_many_rows_behind_q_are_sent_where_rows_go(dhcli: Run, tmp_path: Path) -
     done = dhcli("fk", "scara", "--q", f"@{rows}")
     assert done.code == 2
     assert "10 rows of 3 values, and one pose is wanted" in done.err
-    assert f"fk --in {rows}" in done.err
+    assert f"fk --rows {rows}" in done.err
 
 
 @pytest.mark.parametrize(
@@ -167,12 +166,18 @@ def test_many_rows_behind_q_are_sent_where_rows_go(dhcli: Run, tmp_path: Path) -
         ("d3[mm];theta1[deg];theta2\n100;90;0,25\n", 1.5707963267948966, 0.1),
         ("theta1 theta2 d3\n0,5 pi/2 0,1\n", 0.5, 0.1),
         ("d3 = 0.1\ntheta1 = 0.5\ntheta2 = 0\n", 0.5, 0.1),
+        ("J1: 0.5\nJ2: 0\nJ3: 100 mm\n", 0.5, 0.1),
+        ("d3: 0,1\ntheta1: 90,0 deg\ntheta2: -0,5\n", 1.5707963267948966, 0.1),
+        ("J1 90.00 deg\nJ2 -12.50 deg\nJ3 100.0 mm\n", 1.5707963267948966, 0.1),
+        ('{"theta1": 0.5, "theta2": 0, "d3": 0.1}', 0.5, 0.1),
+        ('{\n  "joint_3": 0.1,\n  "joint_1": 0.5,\n  "joint_2": 0\n}\n', 0.5, 0.1),
+        ("J1,J2,J3\n0.5,0.2,0.1\n", 0.5, 0.1),
     ],
 )
-def test_a_table_of_one_row_behind_q_is_read_by_its_header(
+def test_a_file_of_one_pose_behind_q_is_read_by_the_names_in_it(
     dhcli: Run, tmp_path: Path, content: str, theta1: float, d3: float
 ) -> None:
-    """With the units that stand there; a header is no row of values."""
+    """In a header, in lines as a pendant writes them, or as JSON, with the units that stand there."""
     rows = tmp_path / "q.csv"
     rows.write_text(content, "utf-8")
     done = dhcli("fk", "scara", "--q", f"@{rows}", "--format", "json")
@@ -208,6 +213,9 @@ def test_a_header_is_not_counted_as_a_row(dhcli: Run, tmp_path: Path, words: tup
     ("content", "said"),
     [
         ("theta1,theta2,d3\n", "is a header without values"),
+        ("J1: 0\nJ2: 0\nJ4: 0\n", "scara has no joint J4"),
+        ("J1: 0\ntheta1: 0\nd3: 0\n", "theta1 is given twice"),
+        ("- 0.1\n- 0.2\n- 0.3\n", "each line is a list entry, or negative"),
         ("theta1,theta2,d3\n1,2\n", "2 cells in a table of 3 columns"),
         ("theta1,theta2,d4\n1,2,3\n", "did you mean d3?"),
         ("theta1[mm],theta2,d3\n1,2,3\n", "mm is a unit of length, an angle is wanted"),
@@ -258,8 +266,8 @@ def test_nothing_that_a_user_types_steers_the_terminal(dhcli: Run, steering: str
         "fk ~/arm.yaml",
         "show ~/arm.yaml",
         "draw scara --beside ~/arm.yaml",
-        "fk scara --in ~/q.csv",
-        "fk scara --in ~/q.npy",
+        "fk scara --rows ~/q.csv",
+        "fk scara --rows ~/q.npy",
         "fk scara --q @~/q.txt",
         "dof ~/press.yaml",
         "check planar-two-links ~/a.sheet.yaml",
@@ -287,13 +295,13 @@ def test_a_home_between_quotes_is_told_with_what_to_write(
 @pytest.mark.parametrize(
     "words",
     [
-        ("fk", "scara", "--in", ""),
-        ("ik", "scara", "--in", ""),
+        ("fk", "scara", "--rows", ""),
+        ("ik", "scara", "--rows", ""),
         ("check", "planar-two-links", ""),
         ("new", "robot", "arm", "--from", ""),
         ("lint", ""),
         ("grade", ""),
-        ("draw", "scara", "--in", ""),
+        ("draw", "scara", "--rows", ""),
         ("fk", "scara", "--pose", "pick", "--format", "json", "-o", ""),
         ("fk", "scara", "--pose", "pick", "-o", ""),
         ("new", "robot", "arm", "-o", ""),

@@ -12,6 +12,7 @@ import pytest
 from dhcli.files.progress import Try, path_of_progress, read_progress
 from tests.cli.running import Run
 from tests.cli.terminal import Terminal
+from tests.row_by_row import row_by_row
 
 ROOT = Path(__file__).parents[2]
 
@@ -279,7 +280,7 @@ def test_without_an_answer_and_without_a_terminal_it_never_waits(dhcli: Run, wor
     assert "there is no answer to check" in done.err
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("words", "said"),
     [
         (("check", "nobody"), "there is no robot and no exercise 'nobody'"),

@@ -14,6 +14,7 @@ import typer
 from dhcli.cli import app
 from dhcli.cli.shell.spreading import But, spread
 from tests.cli.running import Run
+from tests.row_by_row import row_by_row
 
 ROOT = Path(__file__).parents[2]
 ABOUT_ROBOTS = ("fk", "ik", "jacobian", "rates", "torques", "singularities", "sweep", "draw", "describe", "check")
@@ -33,7 +34,7 @@ def test_every_command_about_a_robot_takes_a_tool_and_a_urdf(command: str) -> No
     assert {"--tool", "--base", "--tip", "--as-typed", "--set"} <= options(command).keys()
 
 
-@pytest.mark.parametrize("command", [*ABOUT_ROBOTS, "dof", "show"])
+@row_by_row("command", [*ABOUT_ROBOTS, "dof", "show"])
 def test_an_option_about_a_robot_is_told_in_the_same_words_everywhere(command: str) -> None:
     """In those of `fk`, but for the few that mean something else."""
     shared = ("--q", "--deg", "--pose", "--set", "--from", "--to", "--tool", "--base", "--tip", "--as-typed")

@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-import pytest
 
 from dhcli import forward, jacobian, load_robot
 from tests.cli.running import Run
 from tests.render.code.running import namespace
+from tests.row_by_row import row_by_row
 
 
 def test_a_function_is_written_to_a_file_and_runs(dhcli: Run, tmp_path: Path) -> None:
@@ -68,7 +68,7 @@ def test_a_way_back_takes_the_lengths_that_are_not_put_in(dhcli: Run) -> None:
     assert "(0.5 + a2*c2)^2" in derived
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("words", "said"),
     [
         (("fk", "scara", "--code", "cobol"), "--code knows no language cobol"),
@@ -93,10 +93,10 @@ def test_a_way_back_takes_the_lengths_that_are_not_put_in(dhcli: Run) -> None:
         (("fk", "scara", "--code", "c", "--links"), "--code and --links ask for different things"),
         (("fk", "scara", "--code", "c", "--as", "rpy", "--let"), "--code and --as and --let ask for different things"),
         (("fk", "scara", "--code", "c", "--format", "numpy"), "--code says the language, and --format another"),
-        (("fk", "scara", "--code", "c", "--in", "q.csv"), "--code does not go with --in"),
+        (("fk", "scara", "--code", "c", "--rows", "q.csv"), "--code does not go with --rows"),
         (("ik", "planar-2r", "--code", "c", "--why"), "--code and --why ask for different things"),
         (("ik", "planar-2r", "--with-values"), "--with-values is for --code"),
-        (("ik", "planar-2r", "--in", "T.csv", "--with-values"), "--with-values does not go with --in"),
+        (("ik", "planar-2r", "--rows", "T.csv", "--with-values"), "--with-values does not go with --rows"),
         (("ik", "planar-2r", "--derive", "--near", "0,0"), "--derive and --near ask for different things"),
         (("ik", "planar-2r", "--code", "c", "--position", "0.5,0,0"), "is in letters and takes no pose"),
         (("ik", "panda", "--code", "c"), "has no textbook form"),

@@ -11,6 +11,7 @@ import pytest
 from dhcli.cli import app
 from dhcli.cli.main import main
 from tests.cli.running import Run, nobody_reads
+from tests.row_by_row import row_by_row
 
 ROOT = Path(__file__).parents[2]
 ENVELOPE = {"dhcli", "command", "ok", "data", "problems"}
@@ -213,7 +214,7 @@ def test_a_robot_has_exactly_these_keys(dhcli: Run) -> None:
     assert set(data["joints"][0]) == {"name", "kind", "link", "limits"}
 
 
-@pytest.mark.parametrize("name", app.COMMANDS)
+@row_by_row("name", app.COMMANDS)
 def test_every_command_has_a_help_page_with_examples(dhcli: Run, name: str) -> None:
     """That work as they stand, as far as they need no file."""
     done = dhcli(name, "--help")

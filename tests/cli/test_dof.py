@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from tests.cli.running import Run
+from tests.row_by_row import row_by_row
 
 KEYS = {
     "mobility", "gruebler", "instantaneous", "bounds", "certificate", "formula_holds", "formulas", "space", "lambda",
@@ -64,7 +65,7 @@ def test_idle_freedoms_are_named(dhcli: Run) -> None:
     assert "2 (1 and 1 idle)" in out
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("words", "message"),
     [
         (["dof"], "nothing to count"),

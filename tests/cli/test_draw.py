@@ -112,7 +112,7 @@ def test_rows_of_a_file_are_a_strip_an_animation_and_a_page(dhcli: Run, tmp_path
     """Columns by name, a joint without a column by --q, degrees by --deg: as fk reads them."""
     rows = tmp_path / "q.csv"
     rows.write_text("theta2,theta1\n" + "".join(f"{k},{2 * k}\n" for k in range(0, 90, 10)), "utf-8")
-    words = ("draw", "scara", "--in", str(rows), "--q", "d3=0.05", "--deg")
+    words = ("draw", "scara", "--rows", str(rows), "--q", "d3=0.05", "--deg")
     assert dhcli(*words, "-o", "strip.svg").code == 0
     assert "to 9 rows" in Path("strip.svg").read_text("utf-8")
     assert dhcli(*words, "-o", "move.svg", "--animate").code == 0
@@ -133,7 +133,7 @@ def test_rows_that_are_none_for_this_arm_are_refused(dhcli: Run, tmp_path: Path)
         ("theta1,theta2,d3\n", "q.csv"),
     ):
         rows.write_text(text, "utf-8")
-        done = dhcli("draw", "scara", "--in", str(rows), "-o", "a.svg")
+        done = dhcli("draw", "scara", "--rows", str(rows), "-o", "a.svg")
         assert done.code == 2
         assert said in done.err
 
@@ -268,14 +268,14 @@ def test_the_picture_of_a_solution_follows_the_rule_and_words_of_the_solution(dh
         ("scara --to pick", "no picture in letters"),
         ("scara --to 1,2 -o a.svg", "scara has 3 joints, 2 values given"),
         ("scara --to pick --worksheet -o a.svg", "a film strip has no frames"),
-        ("scara --in q.csv --pose pick -o a.svg", "--in says where all joints are"),
-        ("scara --in no.csv -o a.svg", "no.csv"),
+        ("scara --rows q.csv --pose pick -o a.svg", "--rows says where all joints are"),
+        ("scara --rows no.csv -o a.svg", "no.csv"),
         ("scara --animate -o a.svg", "--animate is for a motion, and nothing moves"),
-        ("scara --animate -o a.png", "--to or --in says where to"),
+        ("scara --animate -o a.png", "--to or --rows says where to"),
         ("scara --to pick --animate -o a.html", "a page plays a motion by itself: leave --animate out"),
         ("scara --to pick --animate -o a.png", "only an .svg is animated"),
         ("scara --to pick --animate -o a.pdf", "write -o move.svg"),
-        ("bennett --in q.csv -o a.svg", "bennett is a linkage"),
+        ("bennett --rows q.csv -o a.svg", "bennett is a linkage"),
         ("bennett --to zero -o a.svg", "bennett is a linkage"),
         ("bennett --table", "bennett is a linkage"),
         ("scara --table", "dhcli show scara --draw has both"),

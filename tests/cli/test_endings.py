@@ -11,6 +11,7 @@ from dhcli.render.code.rows import FORMATS
 from dhcli.render.endings import ENDINGS
 from dhcli.render.kinds import _RENDERERS, formats
 from tests.cli.running import Run
+from tests.row_by_row import row_by_row
 
 LINES = {
     "fk": "fk planar-2r --symbolic --format latex",
@@ -42,8 +43,8 @@ parts:
 """
 
 
-@pytest.mark.parametrize("ending", [".c", ".H", ".pdf", ".xlsx"])
-@pytest.mark.parametrize("line", LINES.values(), ids=LINES)
+@row_by_row("ending", [".c", ".H", ".pdf", ".xlsx"])
+@row_by_row("line", LINES.values())
 def test_an_ending_and_a_format_that_contradict_each_other_are_refused(
     dhcli: Run, tmp_path: Path, line: str, ending: str
 ) -> None:
@@ -71,10 +72,10 @@ def test_every_command_with_a_format_and_a_file_is_among_them() -> None:
         ("fk planar-2r -s --format latex -o x.py", "write .tex, or --format numpy"),
         ("fk planar-2r -s --format numpy -o x.tex", "write .py, or --format latex"),
         ("fk planar-2r -s --format table -o x.csv", "write .txt, or --format csv"),
-        ("fk planar-2r --in q.csv --format jsonl -o x.csv", "write .jsonl, or --format csv"),
-        ("fk planar-2r --in q.csv --format csv -o x.npy", "write .csv, or --format npy"),
+        ("fk planar-2r --rows q.csv --format jsonl -o x.csv", "write .jsonl, or --format csv"),
+        ("fk planar-2r --rows q.csv --format csv -o x.npy", "write .csv, or --format npy"),
         ("jacobian planar-2r --rows q.csv --format npy -o x.ndjson", "write .npy, or --format jsonl"),
-        ("ik planar-2r --in T.csv --format csv -o x.jsonl", "write .csv, or --format jsonl"),
+        ("ik planar-2r --rows T.csv --format csv -o x.jsonl", "write .csv, or --format jsonl"),
         ("grade . --format csv -o x.json", "write .csv, or --format json"),
         ("describe scara --format yaml -o x.urdf", "write .yaml, or --format urdf"),
         ("ik planar-2r --derive --format md -o x.tex", "write .md, or --format latex"),

@@ -357,7 +357,7 @@ def test_a_tool_that_is_typed_stands_behind_the_last_frame(dhcli: Run, tmp_path:
     back = dhcli("fk", "scara", "--q", Q, "--tool", moves, "--from", "tool", "--to", "0", "--format", "json")
     assert np.allclose(_matrix(back) @ expected, np.eye(4))
     (tmp_path / "q.csv").write_text("theta1,theta2,d3\n0.3,0.5,0.1\n", "utf-8")
-    rows = dhcli("fk", "scara", "--in", str(tmp_path / "q.csv"), "--tool", moves, "--as", "position").out.splitlines()
+    rows = dhcli("fk", "scara", "--rows", str(tmp_path / "q.csv"), "--tool", moves, "--as", "position").out.splitlines()
     assert np.allclose([float(cell) for cell in rows[1].split(",")], expected[:3, 3])
     own = load_robot("zhou-6r")
     bare = forward(own.copy(tool="Trans(0,0,1)"), "zero", end="tool").matrix

@@ -6,8 +6,6 @@ import csv
 import json
 import os
 import signal
-import subprocess
-import sys
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from pathlib import Path
@@ -15,8 +13,10 @@ from typing import Any
 
 import pytest
 
+from dhcli.classroom import grading
 from tests.classroom.sheets import EXERCISE, RIGHT, WRONG, hand_in, sheet
-from tests.cli.running import Run
+from tests.classroom.workers import trouble
+from tests.cli.running import PIPES, Run, start
 from tests.cli.terminal import Terminal
 
 ROOT = Path(__file__).parents[2]
@@ -219,24 +219,16 @@ def test_a_terminal_shows_a_bar_and_then_the_report(tmp_path: Path) -> None:
 
 @pytest.mark.skipif(os.name == "nt", reason="signals as Unix knows them")
 @pytest.mark.parametrize(("name", "code"), [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
-def test_a_signal_leaves_no_file_and_no_process(tmp_path: Path, name: str, code: int) -> None:
+def test_a_signal_leaves_no_file_and_no_process(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, code: int
+) -> None:
     """It reaches every process of the terminal; the pipe ends only when all of them have gone."""
     hand_in(tmp_path, "hw/a.yaml")
     hand_in(tmp_path, "hw/stuck.yaml")
-    script = "import functools, sys, dhcli.classroom.grading as g\nfrom dhcli.cli.main import main\n"
-    script += (
-        "from tests.classroom.workers import trouble\ng.grade_all = functools.partial(g.grade_all, work=trouble)\n"
-    )
-    script += "sys.exit(main(['grade', 'hw', '--jobs', '2', '--timeout', '60', '-o', 'grades.csv']))"
-    with subprocess.Popen(
-        [sys.executable, "-c", script],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        cwd=tmp_path,
-        env={**os.environ, "PYTHONPATH": str(ROOT)},
-        start_new_session=True,
-    ) as running:
+    monkeypatch.undo()  # in processes, that is
+    monkeypatch.setattr(grading, "grade_all", partial(grading.grade_all, work=trouble))
+    words = ["grade", "hw", "--jobs", "2", "--timeout", "60", "-o", "grades.csv"]
+    with start(tmp_path, *words, **PIPES, start_new_session=True) as running:
         assert running.stdout is not None
         assert running.stdout.readline() == "stuck\n"
         os.killpg(running.pid, getattr(signal, name))

@@ -14,7 +14,8 @@ from dhcli.render.paper import Paper
 from dhcli.render.text.manual import page_text
 from tests.cli.running import Run
 from tests.cli.terminal import Terminal
-from tests.nightly import paired
+from tests.nightly import in_turn, paired
+from tests.row_by_row import row_by_row
 
 
 def test_without_a_topic_all_are_listed(dhcli: Run) -> None:
@@ -29,7 +30,7 @@ def test_a_page_in_a_pipe_is_markdown(dhcli: Run) -> None:
     assert dhcli("help", "fk").out == read_page("fk")
 
 
-@pytest.mark.parametrize("name", app.COMMANDS)
+@row_by_row("name", app.COMMANDS)
 def test_a_command_is_a_topic(dhcli: Run, name: str) -> None:
     """The page in whose heading it stands."""
     done = dhcli("help", name)
@@ -56,7 +57,7 @@ def test_an_unknown_topic_is_answered_with_the_nearest(dhcli: Run, typed: str, h
     assert hint in done.err
 
 
-@pytest.mark.parametrize(("name", "unicode"), paired([topic.name for topic in topics()], [True, False]))
+@pytest.mark.parametrize(("name", "unicode"), in_turn(paired([topic.name for topic in topics()], [True, False]), 0, 3))
 def test_running_text_fits_a_narrow_window(name: str, *, unicode: bool) -> None:
     """Examples and tables are as wide as they are; in ASCII every letter is."""
     text = page_text("# One\n\n" + "words and `code` " * 40, Paper(40, terminal=True, unicode=unicode))
@@ -96,7 +97,7 @@ def test_a_long_page_goes_to_the_pager(tmp_path: Path, monkeypatch: pytest.Monke
         assert terminal.end() == 0
 
 
-@pytest.mark.parametrize("name", app.COMMANDS)
+@row_by_row("name", app.COMMANDS)
 def test_examples_of_help_fit_a_usual_window(dhcli: Run, name: str) -> None:
     """At 80 columns none of them is folded, so that it can be copied in one go."""
     lines = dhcli(name, "--help").out.split("\n")

@@ -12,6 +12,7 @@ import pytest
 from dhcli import forward, inverse, load_robot
 from tests.cli.running import Run
 from tests.cli.terminal import Terminal
+from tests.row_by_row import row_by_row
 
 CONTENT = {
     *("robot", "convention", "values", "task", "reference", "frame", "joints", "reachable", "why", "held", "closest"),
@@ -158,7 +159,7 @@ def test_rows_of_few_decimals_are_taken_as_single_poses_are(dhcli: Run, tmp_path
     matrices = [np.round(np.array(forward(load_robot("zhou-3r"), q).matrix), 4).tolist() for q in exact]
     path = tmp_path / "poses.jsonl"
     path.write_text("".join(json.dumps({"matrix": matrix}) + "\n" for matrix in matrices), encoding="utf-8")
-    done = dhcli("ik", "zhou-3r", "--in", str(path), "--format", "csv")
+    done = dhcli("ik", "zhou-3r", "--rows", str(path), "--format", "csv")
     assert done.code == 0
     rows = [[float(cell) for cell in line.split(",")] for line in done.out.splitlines()[1:]]
     assert rows == [pytest.approx([line, *q], abs=1e-3) for line, q in enumerate(exact, 1)]
@@ -166,13 +167,13 @@ def test_rows_of_few_decimals_are_taken_as_single_poses_are(dhcli: Run, tmp_path
 
 
 def test_csv_has_a_line_for_each_solution(dhcli: Run) -> None:
-    """And goes back into `fk --in` without its first two columns."""
+    """And goes back into `fk --rows` without its first two columns."""
     lines = dhcli("ik", "ur5e", "--pose", "work", "--format", "csv").out.splitlines()
     assert lines[0] == "branch,within_limits,theta1,theta2,theta3,theta4,theta5,theta6"
     assert len(lines) == 9
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("words", "said"),
     [
         (("puma560",), "no pose is given"),
@@ -355,7 +356,7 @@ def test_formulas_asked_for_as_symbols_are_found(dhcli: Run) -> None:
 
 def test_rows_from_the_keyboard_are_waited_for_aloud(tmp_path: Path) -> None:
     """A command that says nothing seems to hang; Ctrl-D ends what is typed."""
-    with Terminal(tmp_path, "ik", "planar-2r", "--in", "-", own_process=True) as screen:
+    with Terminal(tmp_path, "ik", "planar-2r", "--rows", "-", own_process=True) as screen:
         screen.until("reading from the keyboard; Ctrl-D on an empty line ends it")
         screen.type("p_x,p_y,p_z\n0.5,0.3,0\n\x04")
         assert screen.end() == 0

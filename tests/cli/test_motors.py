@@ -29,7 +29,7 @@ def test_motor_values_put_the_end_where_their_joint_values_do(dhcli: Run) -> Non
     assert "theta2 = 31.324° · theta3 = -2.018°" in dhcli("fk", PAIR, "--motors", "--q", "0,31.324°,-33.342°").out
     assert "a3*s(2*J2+J3)" in dhcli("fk", PAIR, "--motors", "-s", "--as", "position").out
     Path("q.csv").write_text("theta1[deg],J2[deg],J3[deg]\n0,31.324,-33.342\n", "utf-8")
-    rows = dhcli("fk", PAIR, "--motors", "--in", "q.csv", "--as", "position").out.split("\n")
+    rows = dhcli("fk", PAIR, "--motors", "--rows", "q.csv", "--as", "position").out.split("\n")
     assert [float(x) for x in rows[1].split(",")] == pytest.approx([row[3] for row in motors["matrix"][:3]])  # type: ignore[index]
 
 

@@ -119,6 +119,22 @@ def test_the_page_of_a_robot_tells_all_of_it(dhcli: Run) -> None:
     assert "-160°   160°" in dhcli("show", "puma560").out
 
 
+def test_limits_and_poses_are_in_degrees_however_they_were_written(dhcli: Run, tmp_path: Path) -> None:
+    """As `ik` and the warnings tell them; JSON has radians to the last digit."""
+    (tmp_path / "arm.yaml").write_text(
+        "format: 1\ntitle: T\nsource: mine\nconvention: standard\nvariables: [q1, d2]\n"
+        "links:\n  - {a: 1 m, alpha: 0, d: 0, theta: q1}\n  - {a: 0, alpha: 0, d: d2, theta: 0}\n"
+        "limits: {q1: [-2.8973 rad, 160.5°], d2: [0, 300 mm]}\nposes: {home: [0.7853981634 rad, 0.2]}\n",
+        "utf-8",
+    )
+    rows = [line.split() for line in dhcli("show", "./arm.yaml").out.splitlines()]
+    assert ["q1", "-166.0031°", "160.5°"] in rows
+    assert ["d2", "0", "m", "0.3", "m"] in rows
+    assert ["home", "45°", "0.2", "m"] in rows
+    content = dhcli("show", "./arm.yaml", "--format", "json").data
+    assert content["joints"][0]["limits"][0] == -2.8973
+
+
 def test_a_table_is_exported(dhcli: Run) -> None:
     """CSV for a spreadsheet, LaTeX for a paper."""
     assert dhcli("show", "planar-2r", "--format", "csv").out.split("\n")[:2] == ["i,a,alpha,d,theta", "1,a1,0,0,theta1"]

@@ -154,7 +154,7 @@ def test_an_inverse_of_an_inverse_is_the_pose(tmp_path: Path, capsys: pytest.Cap
 def test_a_table_of_one_long_cell_is_refused(table: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Digits, blanks and brackets without end, in cells and in heads."""
     (tmp_path / "q.csv").write_text(table, encoding="utf-8")
-    refused(capsys, "fk", "scara", "--in", str(tmp_path / "q.csv"))
+    refused(capsys, "fk", "scara", "--rows", str(tmp_path / "q.csv"))
 
 
 @pytest.mark.parametrize("text", ["1.. " * 40_000, "1..2" + " " * 40_000 + "x", "1" * 50_000, "1.." * 50_000])

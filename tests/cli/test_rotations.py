@@ -38,7 +38,7 @@ def test_json_and_csv_have_the_angles_in_radians() -> None:
 
 def test_rows_have_columns_for_three_angles() -> None:
     """Many poses at once."""
-    out = run("fk", "scara", "--in", "-", "--as", "zyz,rotation-vector", stdin="theta1,theta2,d3\n0.1,0.2,0\n").out
+    out = run("fk", "scara", "--rows", "-", "--as", "zyz,rotation-vector", stdin="theta1,theta2,d3\n0.1,0.2,0\n").out
     head, row = out.split("\n")[:2]
     assert head == "zyz_1,zyz_2,zyz_3,r_x,r_y,r_z"
     assert [float(cell) for cell in row.split(",")] == pytest.approx([0.3, 0, 0, 0, 0, 0.3])
@@ -56,7 +56,7 @@ def test_rows_have_columns_for_three_angles() -> None:
 def test_rows_at_a_singular_attitude_are_counted_by_form(form: str, said: str | None) -> None:
     """In the words of that form."""
     rows = "theta4,theta5,theta6\n0.1,0.2,0.3\n0.4,0,0\n"
-    done = run("fk", "spherical-wrist", "--in", "-", "--as", form, stdin=rows)
+    done = run("fk", "spherical-wrist", "--rows", "-", "--as", form, stdin=rows)
     assert done.code == 0, done.err
     assert said in done.err if said else not done.err
 

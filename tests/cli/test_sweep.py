@@ -212,8 +212,9 @@ def test_a_full_disk_is_told(dhcli: Run, tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="pseudo-terminals as Unix knows them")
-def test_ctrl_c_ends_with_130_and_leaves_no_file(tmp_path: Path) -> None:
+def test_ctrl_c_ends_with_130_and_leaves_no_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """While the bar on the terminal says how far it is."""
+    monkeypatch.setattr("dhcli.kinematics.sweep.walk.BLOCK", 1024)
     ranges = [word for k in (1, 2, 3) for word in ("--over", f"q{k}=0..1 n 1000")]
     with Terminal(tmp_path, "sweep", "puma560", *ranges, "-o", "points.csv", own_process=True) as screen:
         screen.until(r"[1-9][0-9,]* rows")

@@ -66,12 +66,12 @@ def test_every_command_about_a_robot_takes_the_links_of_a_urdf(tmp_path: Path) -
     rows = tmp_path / "q.csv"
     rows.write_text("theta1,theta2,d3\n0.1,0.2,0.3\n", "utf-8")
     poses = tmp_path / "p.csv"
-    pose = run("fk", str(ROOT / ARM), "--tip", "tool0", "--in", str(rows), "-o", str(poses))
+    pose = run("fk", str(ROOT / ARM), "--tip", "tool0", "--rows", str(rows), "-o", str(poses))
     assert pose.code == 0, pose.err
     for words in (
         ("show",),
         ("ik", "--q", "0.1,0.2,0.3"),
-        ("ik", "--in", str(poses)),
+        ("ik", "--rows", str(poses)),
         ("jacobian", "--symbolic"),
         ("jacobian", "--rows", str(rows)),
         ("rates", "--q", "0.1,0.2,0.3", "--rates", "1,0,0"),

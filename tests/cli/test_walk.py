@@ -17,6 +17,7 @@ from dhcli.files.yaml.exercises import load_exercise
 from dhcli.notation.matrix import parse_matrix
 from tests.cli.running import Run
 from tests.cli.terminal import Terminal
+from tests.row_by_row import row_by_row
 
 PLANAR = "yim/planar-two-links"
 A1 = "[c1 -s1 0 a1*c1; s1 c1 0 a1*s1; 0 0 1 0; 0 0 0 1]"
@@ -275,8 +276,8 @@ def test_a_matrix_that_is_recalled_is_the_matrix_that_was_typed(rows: list[list[
     ]
 
 
-@pytest.mark.parametrize("name", ["planar-two-link", "planar-tow-links", "yim/planar-two-link", "planar-two"])
-@pytest.mark.parametrize("command", [("check",), ("show",), ("start",), ("hint",)])
+@row_by_row("name", ["planar-two-link", "planar-tow-links", "yim/planar-two-link", "planar-two"])
+@row_by_row("command", [("check",), ("show",), ("start",), ("hint",)])
 def test_a_name_one_letter_off_is_found_among_exercises(dhcli: Run, command: tuple[str, ...], name: str) -> None:
     """Though a robot's name is not far."""
     done = dhcli(*command, name)

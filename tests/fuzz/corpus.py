@@ -37,7 +37,7 @@ def _exercise(ask: str) -> Case:
 
 
 def _rows(content: bytes) -> Case:
-    return Case(("fk", "scara", "--in", "q.csv"), {"q.csv": content})
+    return Case(("fk", "scara", "--rows", "q.csv"), {"q.csv": content})
 
 
 CASES: dict[str, Case] = {
@@ -113,5 +113,5 @@ CASES: dict[str, Case] = {
 }
 """Every finding by what it was."""
 
-SLOW = {"check of 50 parallel joints in letters", "115 terms a cell"}
+SLOW = {"check of 50 parallel joints in letters", "check of 50 parallel joints in numbers", "115 terms a cell"}
 """Those of them that nights are for: counting makes them ten times as slow."""

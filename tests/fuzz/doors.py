@@ -35,7 +35,8 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("fk", "planar-2r", "-s", "--factors", "1", "--format", "sympy"),
     ("fk", "stanford", "-s", "--frames"),
     ("fk", "stanford", "--links", "--q", "0,0,0.2,0,0,0", "--format", "csv"),
-    ("fk", "scara", "--in", "q.csv", "--ignore-columns", "--skip-bad", "--index", "--deg", "--jobs", "2"),
+    ("fk", "scara", "--in", "q.csv", "--ignore-columns"),
+    ("fk", "scara", "--rows", "q.csv", "--ignore-columns", "--skip-bad", "--index", "--deg", "--jobs", "2"),
     ("fk", "scara", "--pose", "pick", "-o", "out.m", "--overwrite"),
     (
         "sweep",
@@ -229,9 +230,10 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("ik", "planar-2r", "--derive"),
     ("ik", "puma560", "--position", "0.4,0.15,0.3", "--euler", "zyz 0,30°,1", "--why"),
     ("ik", "planar-2r", "Trans(0.4,0.15,0)", "--task", "position"),
-    ("ik", "scara", "--in", "poses.csv", "--each", "first"),
-    ("ik", "scara", "--in", "poses.csv", "--skip-bad", "--jobs", "2"),
-    ("ik", "scara", "--in", "poses.csv", "--follow", "--near", "zero"),
+    ("ik", "scara", "--in", "poses.csv"),
+    ("ik", "scara", "--rows", "poses.csv", "--each", "first"),
+    ("ik", "scara", "--rows", "poses.csv", "--skip-bad", "--jobs", "2"),
+    ("ik", "scara", "--rows", "poses.csv", "--follow", "--near", "zero"),
     ("check", "planar-2r", "--ik", "--target", "Trans(0.7,0,0)", "--answer", "10, 20"),
     ("check", "planar-2r", "--ik", "--position", "0.5,0.3,0", "--branch", "elbow up", "--answer", "10, 20"),
     ("dof", "6-UPS", "--format", "json"),
@@ -269,6 +271,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("sweep", "planar-2r", "--over", "theta1 n 3", "--draw", "reach.svg", "--overwrite"),
     ("draw", "planar-2r", "--to", "fold", "--animate", "-o", "move.svg", "--overwrite"),
     ("draw", "planar-2r", "--in", "two.csv", "-o", "strip.svg", "--overwrite"),
+    ("draw", "planar-2r", "--rows", "two.csv", "-o", "strip.svg", "--overwrite"),
     ("check", "planar-2r", "--table", "robot.yaml", "--compare", "same-motion", "--draw", "over.svg", "--overwrite"),
     ("watch", "yim/planar-in-numbers", "sheet.yaml", "--variant", "x", "--why"),
     ("hint", "yim/planar-in-numbers", "--part", "t02", "--variant", "bob"),
@@ -432,7 +435,7 @@ def _spoilt(files: Mapping[str, bytes], chance: random.Random) -> tuple[str, byt
 def _rows(chance: random.Random) -> Case:
     name, content = _spoilt(ROWS, chance)
     more = chance.choice(((), ("--deg",), ("--skip-bad", "--ignore-columns"), ("--as", "rpy", "--format", "jsonl")))
-    lines = [("fk", "scara", "--in", name, *more)] * 2
+    lines = [("fk", "scara", "--rows", name, *more)] * 2
     lines += [("jacobian", "scara", "--rows", name, "--skip-bad"), ("fk", "scara", "--q", f"@{name}")]
     return Case(chance.choice(lines), {name: content})
 
@@ -440,7 +443,7 @@ def _rows(chance: random.Random) -> Case:
 def _poses(chance: random.Random) -> Case:
     name, content = _spoilt(POSES, chance)
     more = chance.choice(((), ("--skip-bad",), ("--task", "position"), ("--skip-bad", "--follow", "--near", "zero")))
-    return Case(("ik", "scara", "--in", name, *more), {name: content})
+    return Case(("ik", "scara", "--rows", name, *more), {name: content})
 
 
 def _answer(chance: random.Random) -> Case:

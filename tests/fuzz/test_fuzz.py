@@ -24,7 +24,7 @@ from tests.cli.running import run
 from tests.fuzz.corpus import CASES, SLOW
 from tests.fuzz.doors import DOORS, LINES, ROOT, Case, cases
 from tests.fuzz.measuring import MOST_BYTES, TooMuchWorkError, counted
-from tests.nightly import NIGHT, cases_for_nights
+from tests.nightly import NIGHT, cases_for_nights, in_turn, some
 
 COUNT = int(os.environ.get("DHCLI_FUZZ", "0")) or (250 if NIGHT else 12)
 SEED = os.environ.get("DHCLI_FUZZ_SEED", "dhcli")
@@ -95,7 +95,7 @@ def test_every_line_is_valid_before_it_is_mutated() -> None:
     """Else nothing but the first check would be tried; `watch` needs a terminal."""
     files = next(cases("words", 1, "files")).files
     refused = []
-    for words in LINES:
+    for words in some(LINES, 2):
         for name, content in files.items():
             Path(name).parent.mkdir(parents=True, exist_ok=True)
             Path(name).write_bytes(content)
@@ -218,8 +218,8 @@ def makers() -> Iterator[tuple[str, Callable[[Any], Any]]]:
 def test_junk_in_a_call_of_the_library_is_refused_in_words() -> None:
     """Taken, or a DhcliError; never an error of Python's that says nothing."""
     bad = []
-    for name, call in calls():
-        for junk in JUNK:
+    for turn, (name, call) in enumerate(calls()):
+        for junk in in_turn(JUNK, turn, 3):
             try:
                 with counted(memory=False):
                     call(junk)

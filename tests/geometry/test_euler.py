@@ -16,6 +16,7 @@ from dhcli.geometry.euler import AXES, ORDERS, EulerAngles, Order, RollPitchYaw,
 from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import read_chain
+from tests.row_by_row import row_by_row
 
 Cosines = list[list[float]]
 
@@ -88,8 +89,8 @@ def test_away_from_singular_attitudes_the_angles_are_the_ones_put_in(
     assert not found.locked
 
 
-@pytest.mark.parametrize("order", ORDERS, ids=str)
-@pytest.mark.parametrize(("left", "right"), [(0.7, -0.4), (-2.0, 1.5), (0.0, 0.0)])
+@row_by_row("order", ORDERS)
+@row_by_row(("left", "right"), [(0.7, -0.4), (-2.0, 1.5), (0.0, 0.0)])
 def test_at_a_singular_attitude_one_turn_is_none_and_the_other_takes_it_all(
     order: Order, left: float, right: float
 ) -> None:

@@ -9,6 +9,7 @@ from dhcli.errors import RobotError
 from dhcli.geometry.euler import ORDERS, Order, RollPitchYaw
 from dhcli.geometry.many import axis_angles, quaternions, roll_pitch_yaw, rotations, table
 from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
+from tests.row_by_row import row_by_row
 
 
 def _rotation(axis: int, angle: float) -> np.ndarray:
@@ -46,7 +47,7 @@ def test_every_row_is_what_one_pose_would_say(form: type[RollPitchYaw[float]]) -
     assert np.allclose(table(form, POSES), expected, rtol=0, atol=1e-12)
 
 
-@pytest.mark.parametrize("order", ORDERS, ids=str)
+@row_by_row("order", ORDERS)
 def test_every_order_says_of_many_what_it_says_of_one(order: Order) -> None:
     """Its angles, the other triple, where they are locked, and the matrices back."""
     many = order.of(rotations(POSES))

@@ -20,6 +20,7 @@ from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import read_chain
 from dhcli.kinematics.pose import Pose
 from dhcli.notation.angle import Angle
+from tests.row_by_row import row_by_row
 from tests.strategies import quarter_turns
 
 angles = st.floats(-math.pi, math.pi)
@@ -72,7 +73,7 @@ def test_away_from_the_poles_roll_pitch_and_yaw_are_the_ones_put_in(roll: float,
     assert not found.locked
 
 
-@pytest.mark.parametrize(("pitch", "roll", "yaw"), [*product((90, -90), (0, 30, -120), (0, 45, 180))])
+@row_by_row(("pitch", "roll", "yaw"), [*product((90, -90), (0, 30, -120), (0, 45, 180))])
 def test_at_the_poles_roll_is_zero_and_yaw_takes_it_all(pitch: int, roll: int, yaw: int) -> None:
     """Only yaw - roll, or yaw + roll, can be told there."""
     matrix = of_rpy(*map(math.radians, (roll, pitch, yaw)))
@@ -104,7 +105,7 @@ def test_axis_and_angle_give_the_rotation_back(given_: tuple[float, float, float
     assert about(found.axis, found.angle) == pytest.approx(matrix, abs=1e-8)
 
 
-@pytest.mark.parametrize("matrix", quarter_turns())
+@row_by_row("matrix", quarter_turns())
 def test_quarter_turns_are_said_exactly(matrix: tuple[tuple[int, ...], ...]) -> None:
     """All 24, the nine half turns among them, in all three ways."""
     turned = cosines(matrix)

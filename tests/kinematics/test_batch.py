@@ -19,6 +19,7 @@ from dhcli.kinematics.playing import BLOCK, CHUNK, FEW
 from dhcli.kinematics.robot import Link, Robot
 from dhcli.kinematics.values import numbers, parameter_values
 from dhcli.notation.tree import ONE, ZERO
+from tests.row_by_row import row_by_row
 
 
 @pytest.fixture(params=["floats", "numpy", "loop"])
@@ -154,8 +155,8 @@ def test_more_threads_than_rows_are_no_matter(count: int) -> None:
     assert np.array_equal(forward_batch(load_robot("scara"), q, threads=10**9), forward_batch(load_robot("scara"), q))
 
 
-@pytest.mark.parametrize("count", [0, 1, BLOCK - 1, BLOCK, 2 * BLOCK + 1, CHUNK, CHUNK + 1, 1_000_000])
-@pytest.mark.parametrize("threads", [1, 2, 3, 7])
+@row_by_row("count", [0, 1, BLOCK - 1, BLOCK, 2 * BLOCK + 1, CHUNK, CHUNK + 1, 1_000_000])
+@row_by_row("threads", [1, 2, 3, 7])
 def test_threads_have_equal_shares(count: int, threads: int) -> None:
     """All rows once and in order, none longer than a chunk; as many for each thread where there are enough rows."""
     parts = playing.shares(count, threads, CHUNK)

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli import (
@@ -33,6 +33,8 @@ from dhcli.kinematics.motors import in_motors
 from dhcli.kinematics.values import joint_values, numbers, parameter_values
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
+from tests.nightly import examples
+from tests.row_by_row import row_by_row
 
 DATA = Path(__file__).parents[1] / "data" / "coupled"
 PALLETIZER, SCREW = (load_robot(DATA / f"{name}.yaml") for name in ("palletizer", "screw"))
@@ -86,8 +88,8 @@ def chained(moves: list[Any]) -> Any:  # noqa: ANN401
     return np.linalg.multi_dot([np.eye(4), *moves])
 
 
-@pytest.mark.parametrize("robot", ARMS, ids=IDS)
-@pytest.mark.parametrize("seed", range(5))
+@row_by_row("robot", ARMS)
+@row_by_row("seed", range(5))
 def test_a_pose_is_that_of_the_matrices_written_out(robot: Robot, seed: int) -> None:
     """One at a time, many, and in letters with the numbers put in."""
     q = drawn(robot, seed)
@@ -252,7 +254,7 @@ FRACTIONS = st.fractions(min_value=-3, max_value=3, max_denominator=80)
 
 
 @given(st.lists(st.lists(FRACTIONS, min_size=3, max_size=3), min_size=3, max_size=3))
-@settings(max_examples=60, deadline=None, derandomize=True)
+@examples(1)
 def test_ratios_are_undone_exactly_or_one_joint_is_said_to_depend_on_others(rows: list[list[Any]]) -> None:
     """With fractions, so that the product is the identity and not nearly so."""
     table = tuple(map(tuple, rows))

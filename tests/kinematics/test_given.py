@@ -14,6 +14,7 @@ from dhcli.files.yaml.robots import read_robot
 from dhcli.kinematics.moves import Rot, Trans
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, number
+from tests.row_by_row import row_by_row
 
 SCARA = load_robot("scara")
 Q = [0.3, 0.5, 0.1]
@@ -70,7 +71,7 @@ def test_lists_are_as_good_as_tuples() -> None:
     assert hash(same) == hash(replace(SCARA, poses={}))
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("change", "said"),
     [
         ({"tool": [None]}, "tool: None is no move"),
@@ -101,8 +102,8 @@ def test_anything_else_is_refused_in_words(change: dict[str, Any], said: str) ->
         replace(SCARA, **change)
 
 
-@pytest.mark.parametrize("name", [None, 5, b"scara", ["scara"], "a\0b", "a\0b.yaml", ""])
-@pytest.mark.parametrize("load", [load_robot, load_exercise, load_linkage])
+@row_by_row("name", [None, 5, b"scara", ["scara"], "a\0b", "a\0b.yaml", ""])
+@row_by_row("load", [load_robot, load_exercise, load_linkage])
 def test_a_name_is_a_text(load: Any, name: Any) -> None:  # noqa: ANN401
     """What is none is refused by all three."""
     with pytest.raises(DhcliError):

@@ -26,6 +26,7 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr, Symbol, number
 from dhcli.notation.walk import substitute
 from tests.nightly import examples
+from tests.row_by_row import row_by_row
 from tests.strategies import (
     LENGTHS,
     THETAS,
@@ -94,7 +95,7 @@ def test_the_24_quarter_turns_are_24() -> None:
     assert all(round(np.linalg.det(np.array(turn))) == 1 for turn in quarter_turns())
 
 
-@examples(3)
+@examples(2)
 @given(any_chains)
 def test_merging_does_not_change_the_pose(chain: Chain) -> None:
     """fold(merge(c)) = fold(c), exactly; the law that lets the textbook's form be trusted."""
@@ -123,7 +124,7 @@ PARALLEL = [
 """Bundles of parallel axes, with everything that can stand between two of them."""
 
 
-@pytest.mark.parametrize("text", PARALLEL)
+@row_by_row("text", PARALLEL)
 def test_merging_a_bundle_does_not_change_the_pose(text: str) -> None:
     """Twists of 180°, letters that change, literal matrices, constants before and after."""
     chain = read_chain(text)
@@ -132,7 +133,7 @@ def test_merging_a_bundle_does_not_change_the_pose(text: str) -> None:
     assert residues(merged, at) == residues(chain, at)
 
 
-@pytest.mark.parametrize("text", PARALLEL)
+@row_by_row("text", PARALLEL)
 def test_a_bundle_turns_once(text: str) -> None:
     """After merging, at most one rotation in a bundle still holds a joint angle."""
     merged = merge(read_chain(text))

@@ -23,6 +23,7 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import to_angle
 from dhcli.notation.tree import number
+from tests.row_by_row import row_by_row
 
 METRE = number(1)
 
@@ -76,7 +77,7 @@ def test_a_right_robot_exists() -> None:
     assert arm.scope.aliases == {"q1": "theta1", "q2": "d2"}
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("changes", "expected"),
     [
         (

@@ -9,10 +9,11 @@ import pytest
 
 from dhcli.kinematics import sharing
 from dhcli.kinematics.sharing import AHEAD, shared
+from tests.row_by_row import row_by_row
 
 
-@pytest.mark.parametrize("threads", [1, 2, 7])
-@pytest.mark.parametrize("count", [0, 1, 5, 50])
+@row_by_row("threads", [1, 2, 7])
+@row_by_row("count", [0, 1, 5, 50])
 def test_results_come_in_order(count: int, threads: int) -> None:
     """All of them, once."""
     assert list(shared(str, range(count), threads)) == [str(k) for k in range(count)]

@@ -17,6 +17,7 @@ from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.moves import Trans
 from dhcli.kinematics.robot import Link, Robot
 from dhcli.notation.tree import ONE, ZERO
+from tests.row_by_row import row_by_row
 
 ROBOTS = ("scara", "puma560", "stanford")
 
@@ -55,8 +56,8 @@ def test_poses_come_back_as_what_was_given(name: str, xp: ModuleType) -> None:
     assert forward_batch(robot, given[:0, :]).shape == (0, 4, 4)
 
 
-@pytest.mark.parametrize("name", ROBOTS)
-@pytest.mark.parametrize("analytic", ["", "rpy", "zyz"])
+@row_by_row("name", ROBOTS)
+@row_by_row("analytic", ["", "rpy", "zyz"])
 def test_jacobians_come_back_as_what_was_given(name: str, analytic: str, xp: ModuleType) -> None:
     """NaN where there are no rates, or no values."""
     robot, q = load_robot(name), rows(name)

@@ -16,6 +16,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Value, given_parameters, joint_values, numbers, parameter_values
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import number
+from tests.row_by_row import row_by_row
 
 
 @pytest.fixture
@@ -39,7 +40,7 @@ def metres(value: str) -> Value:
     return number(Fraction(value))
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("given", "values"),
     [
         ("0.3, 30°, 432mm", (radians("0.3"), degrees(30), metres("0.432"))),
@@ -91,7 +92,7 @@ def test_bare_numbers_may_be_degrees(scara: Robot) -> None:
     assert joint_values(scara, [30, 60, 0.5], bare="deg")["theta2"] == degrees(60)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("given", "message"),
     [
         ("0.1,0.2", "q: scara has 3 joints, 2 values given (wanted: theta1 [rad], theta2 [rad], d3 [m])"),

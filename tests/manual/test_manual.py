@@ -15,6 +15,7 @@ from dhcli.cli import app
 from dhcli.files.manual import FOLDER, GROUPS, topics
 from tests.manual.generated import GENERATED
 from tests.manual.pages import MANUAL, PAGES, ROOT, fenced, named, played
+from tests.row_by_row import row_by_row
 
 README = (ROOT / "README.md").read_text("utf-8")
 _LINK = re.compile(r"(?<!!)\[[^\]]*\]\(([^)\s]+)\)")
@@ -78,7 +79,7 @@ def test_every_page_has_a_group_and_every_topic_occurs_once() -> None:
     assert {path.name for path in MANUAL.iterdir() if path.is_dir()} == set(GROUPS)
 
 
-@pytest.mark.parametrize("path", PAGES, ids=named)
+@row_by_row("path", PAGES)
 def test_a_link_leads_to_a_file(path: Path) -> None:
     """Relative to the page; links to the web are nobody's promise here."""
     links = [link.partition("#")[0] for link in _LINK.findall(path.read_text("utf-8")) if "://" not in link]
@@ -96,7 +97,7 @@ def _options() -> dict[str, set[str]]:
     return found
 
 
-@pytest.mark.parametrize("path", [path for path in PAGES if path not in GENERATED], ids=named)
+@row_by_row("path", [path for path in PAGES if path not in GENERATED])
 def test_a_page_names_only_options_that_exist(path: Path) -> None:
     """Behind a command its own; alone, one of some command or of the tools that a developer runs."""
     known = _options()

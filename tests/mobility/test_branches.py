@@ -15,7 +15,7 @@ from dhcli.mobility.linkage import Joint
 from dhcli.mobility.result import Mobility
 from tests.mobility.building import joint, planar, spatial
 from tests.mobility.mechanisms import linkage
-from tests.nightly import cases_for_nights, examples
+from tests.nightly import NIGHT, cases_for_nights, examples
 
 FEET = [(1.0, 0.0), (-0.5, 0.8), (-0.4, -0.9), (0.3, 0.2), (0.5, 0.7), (-0.5, 0.1), (0.2, -0.5)]
 HEIGHT = 2.0
@@ -215,7 +215,7 @@ def test_without_a_tolerance_a_rounded_drawing_is_suspected() -> None:
     assert not hinted(planar(three_cranks(1.1, 1.234567, 0.1), "platform"))
 
 
-@pytest.mark.parametrize("cells", [5, 40])
+@pytest.mark.parametrize("cells", [5, 40 if NIGHT else 20])
 def test_a_long_scissor_is_not_taken_for_a_rounded_drawing(cells: int) -> None:
     """Its singular values are small too, but fall step by step."""
     joints = []

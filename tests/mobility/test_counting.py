@@ -11,6 +11,7 @@ from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.pairs import PAIRS, PLANAR, SPATIAL, SPHERICAL, Space, pair_of, space_of
 from dhcli.mobility.patterns import count_of, joint_counts, other_reading, read_pattern
 from dhcli.mobility.slips import count, slips
+from tests.row_by_row import row_by_row
 
 
 def counted(text: str, space: Space = SPATIAL) -> Counts:
@@ -19,7 +20,7 @@ def counted(text: str, space: Space = SPATIAL) -> Counts:
     return Counts.of(found) if isinstance(found, Linkage) else found
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("pattern", "n", "j", "f"),
     [
         ("6R", "7", "6", "6"),

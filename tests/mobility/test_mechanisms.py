@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from dhcli.mobility.finding import analyse
 from dhcli.mobility.large import large_mobility
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.model import model_of
+from dhcli.mobility.result import Mobility
 from dhcli.mobility.truth import true_mobility
 from tests.mobility.dense import constraint_rank
 from tests.mobility.mechanisms import MECHANISMS, linkage
@@ -20,11 +22,17 @@ from tests.nightly import paired
 every = pytest.mark.parametrize("name", MECHANISMS)
 
 
+@cache
+def analysed(name: str) -> Mobility:
+    """What is found about a mechanism, for all that is said of it."""
+    return analyse(linkage(name))
+
+
 @every
 def test_counts_formula_and_truth_are_those_of_the_literature(name: str) -> None:
     """Grübler's number, the instantaneous and the true mobility, idle freedoms, and the output's freedoms."""
     truth, counted = MECHANISMS[name]["truth"], MECHANISMS[name]["counts"]
-    found = analyse(linkage(name))
+    found = analysed(name)
     assert (found.counts.n, found.counts.j, found.counts.sum_f) == tuple(
         type(found.counts.n)(counted[key]) for key in ("n", "j", "sum_f")
     )
@@ -40,7 +48,7 @@ def test_a_difference_has_a_reason(name: str) -> None:
     """Where the formula is wrong, or the position is special, something is said; otherwise nothing."""
     truth = MECHANISMS[name]["truth"]
     special = truth["gruebler"] != truth["dof"] or truth["inst"] != truth["dof"]
-    assert bool(analyse(linkage(name)).reasons) == special
+    assert bool(analysed(name).reasons) == special
 
 
 @every

@@ -25,6 +25,7 @@ from tests.mobility.dense import constraint_rank
 from tests.mobility.mechanisms import MECHANISMS
 from tests.mobility.mechanisms import linkage as mechanism
 from tests.nightly import in_turn
+from tests.row_by_row import row_by_row
 
 Edge = tuple[int, int]
 
@@ -63,7 +64,7 @@ def largest_independent(pebbles: list[int], edges: list[tuple[int, ...]]) -> int
     return next(size for size in sizes if any(map(is_sparse, combinations(edges, size))))
 
 
-@pytest.mark.parametrize("seed", range(25))
+@row_by_row("seed", range(25))
 def test_the_game_finds_as_many_edges_as_the_definition(seed: int) -> None:
     """With vertices of one and of two pebbles, edges of two ends and of three, and the same edge twice."""
     draw = random.Random(seed)  # noqa: S311  labels, no secret
@@ -73,7 +74,7 @@ def test_the_game_finds_as_many_edges_as_the_definition(seed: int) -> None:
     assert independent(pebbles, edges) == largest_independent(pebbles, edges)
 
 
-@pytest.mark.parametrize("seed", in_turn(range(60), 0, 2))
+@row_by_row("seed", in_turn(range(60), 0, 2))
 def test_the_game_counts_the_rank_of_random_places(seed: int) -> None:
     """Which is that of almost all."""
     vertices, edges = framework(seed)
@@ -108,7 +109,7 @@ def linkage_of(points: list[Vector], edges: list[Edge]) -> Linkage:
     return Linkage("random", PLANAR, tuple(joints), joints[0].links[0], joints[-1].links[1])
 
 
-@pytest.mark.parametrize("seed", in_turn(range(120), 0, 3))
+@row_by_row("seed", in_turn(range(120), 0, 3))
 def test_random_bars_have_the_mobility_of_their_equations(seed: int) -> None:
     """2|V| - 3 less the independent bars, against one bar that stands still."""
     vertices, edges = framework(seed)
@@ -138,7 +139,7 @@ def net(links: int, joints: int, seed: int, kinds: str = "pin") -> Linkage:
     return Linkage("net", PLANAR, tuple(found), names[0], names[-1])
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "kinds",
     [
         "pin",
@@ -154,7 +155,7 @@ def net(links: int, joints: int, seed: int, kinds: str = "pin") -> Linkage:
         "pin slot bar weld",
     ],
 )
-@pytest.mark.parametrize("seed", in_turn(range(12), 0, 3))
+@row_by_row("seed", in_turn(range(12), 0, 3))
 def test_no_placement_has_fewer_motions_than_the_game_says(seed: int, kinds: str) -> None:
     """Random ones have as many, and those in which all pins lie on one line as many or more."""
     draw = random.Random(seed)  # noqa: S311  labels, no secret
@@ -169,7 +170,7 @@ def test_no_placement_has_fewer_motions_than_the_game_says(seed: int, kinds: str
     assert coarse <= special.motions - rank_of(special.jacobian()).rank
 
 
-@pytest.mark.parametrize("name", MECHANISMS)
+@row_by_row("name", MECHANISMS)
 def test_the_game_never_counts_more_than_the_truth(name: str) -> None:
     """Of the mechanisms of the literature, most of which are special."""
     game = generic_freedoms(model_of(mechanism(name)))

@@ -11,6 +11,7 @@ from dhcli.mobility.pairs import LETTERS, WORDS, pair_of
 from dhcli.mobility.patterns import MOST_JOINTS, joint_counts, looks_like_pattern, read_pattern
 from dhcli.mobility.scanning import LONGEST
 from tests.nightly import examples
+from tests.row_by_row import row_by_row
 
 law = examples(2)
 
@@ -20,7 +21,7 @@ def read(text: str) -> list[tuple[str, str]]:
     return [(str(count), pair.name) for pair, count in joint_counts(text)]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "expected"),
     [
         ("4 pin 1 slot", [("4", "revolute"), ("1", "slot")]),
@@ -43,7 +44,7 @@ def test_counts_and_words(text: str, expected: list[tuple[str, str]]) -> None:
     assert read(text) == expected
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "message"),
     [
         ("4infR", "'4infR' is not a number of joints"),

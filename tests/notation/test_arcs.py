@@ -13,12 +13,13 @@ from hypothesis import strategies as st
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle
 from dhcli.notation.writer import write_angle
+from tests.row_by_row import row_by_row
 
 ROOTS = ("0", "1", "-1", "1/2", "-1/2", "sqrt(2)/2", "-sqrt(2)/2", "sqrt(3)/2", "-sqrt(3)/2", "sqrt(3)", "1/sqrt(3)")
 
 
-@pytest.mark.parametrize("function", ["acos", "asin", "atan"])
-@pytest.mark.parametrize("argument", ROOTS)
+@row_by_row("function", ["acos", "asin", "atan"])
+@row_by_row("argument", ROOTS)
 def test_a_multiple_of_30_or_45_degrees_is_exact(function: str, argument: str) -> None:
     """As sympy knows it; beyond 1 there is no arc cosine."""
     right = getattr(sympy, function)(sympy.sympify(argument))
@@ -34,8 +35,8 @@ def test_a_multiple_of_30_or_45_degrees_is_exact(function: str, argument: str) -
     assert sympy.Rational(angle.degrees.numerator, angle.degrees.denominator) == right * 180 / sympy.pi
 
 
-@pytest.mark.parametrize("y", ["0", "1", "-1", "sqrt(3)", "-sqrt(3)", "2 mm", "-2 mm", "0 mm"])
-@pytest.mark.parametrize("x", ["1", "-1", "sqrt(3)", "-sqrt(3)", "0", "2 mm", "-2 mm", "0 mm"])
+@row_by_row("y", ["0", "1", "-1", "sqrt(3)", "-sqrt(3)", "2 mm", "-2 mm", "0 mm"])
+@row_by_row("x", ["1", "-1", "sqrt(3)", "-sqrt(3)", "0", "2 mm", "-2 mm", "0 mm"])
 def test_the_arc_tangent_of_two_numbers_knows_its_quadrant(y: str, x: str) -> None:
     """Lengths with lengths, numbers with numbers; the same as in floats."""
     if ("mm" in y) != ("mm" in x) and "0" not in (y[0], x[0]):  # 0 is 0 in any unit

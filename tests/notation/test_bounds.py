@@ -25,6 +25,7 @@ from dhcli.notation.tree import ONE, Expr, Unit, add, multiply, number
 from dhcli.notation.walk import walk
 from dhcli.notation.writer import write
 from tests.nightly import examples, some
+from tests.row_by_row import row_by_row
 
 ROBOT = Scope(
     joints=("theta1", "theta2", "theta3"),
@@ -46,7 +47,7 @@ PIECES = (
 any_text = st.one_of(st.text(max_size=80), st.lists(st.sampled_from(PIECES), max_size=30).map("".join))
 
 
-@examples(6)
+@examples(4)
 @given(any_text, st.sampled_from(READERS), st.sampled_from([OPEN, ROBOT]))
 def test_any_text_gives_a_value_or_an_error_with_a_place(
     text: str, read: Callable[[str, Scope], object], scope: Scope
@@ -121,7 +122,7 @@ ATTACKS = [
 """Texts that would cost a careless reader its stack, its memory or its evening."""
 
 
-@pytest.mark.parametrize(("attack", "read"), some([*product(range(len(ATTACKS)), READERS)], 3))
+@row_by_row(("attack", "read"), some([*product(range(len(ATTACKS)), READERS)], 3))
 def test_an_attack_ends_at_a_cap(attack: int, read: Callable[[str, Scope], object]) -> None:
     """With a value or a clear error; a reader that did not end would hang this test."""
     for scope in (OPEN, ROBOT):
@@ -180,7 +181,7 @@ def test_a_cell_of_a_matrix_has_the_cap_of_an_expression() -> None:
         parse_matrix("[1, " + "a" * 2001 + "]")
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "text",
     [
         '__import__("os").system("touch /tmp/dhcli-was-here")',

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from dhcli.notation.commas import LONGEST, comma_remark, with_points
 from dhcli.notation.pasted import without_label
 from tests.notation.test_screens import matrix
+from tests.row_by_row import row_by_row
 
 POSE = "0,866 -0,5 0 1,25\n0,5 0,866 0 -2\n0 0 1 3\n0 0 0 1"
 VECTOR, ROWS = (3, 1), (3, 2)
@@ -30,7 +31,7 @@ def test_decimal_commas_between_blanks_are_points() -> None:
     )
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "shape"),
     [
         ("0,5 1 2", VECTOR),
@@ -58,7 +59,7 @@ def test_the_cells_that_are_wanted_tell(text: str, shape: tuple[int, int]) -> No
     ).replace("1,2", "1.2").replace("3,4", "3.4")
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "shape"),
     [
         ("0,5 1 2", None),

@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli.notation.decimals import read_decimals, read_json, spelled
+from tests.row_by_row import row_by_row
 
 pytestmark = pytest.mark.usefixtures("json_by")
 
@@ -75,14 +76,14 @@ def test_a_zero_keeps_its_sign(text: str) -> None:
     assert [math.copysign(1, number) for number in read_decimals(text).tolist()].count(-1) == 1
 
 
-@pytest.mark.parametrize("text", ["[NaN]", "[-Infinity]", "[1.]", "[01]", "[1,]", "[1] [2]", "{1: 2}", "'a'", ""])
+@row_by_row("text", ["[NaN]", "[-Infinity]", "[1.]", "[01]", "[1,]", "[1] [2]", "{1: 2}", "'a'", ""])
 def test_what_is_no_json_is_refused(text: str) -> None:
     """By the letter of the standard."""
     with pytest.raises(ValueError):  # noqa: PT011  what it says is not shown
         read_json(text)
 
 
-@pytest.mark.parametrize("whole", [0, 7, 2**53 + 1, 2**63, 2**64 - 1, 2**64, 10**22 + 1, 10**300])
+@row_by_row("whole", [0, 7, 2**53 + 1, 2**63, 2**64 - 1, 2**64, 10**22 + 1, 10**300])
 def test_whole_numbers_are_read_to_the_nearest_float(whole: int) -> None:
     """However long they are."""
     assert float(read_json(f"[{whole}]")[0]) == float(whole)

@@ -8,6 +8,7 @@ from dhcli.errors import NotationError, Place
 from dhcli.notation.names import describe, foreign_letter
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
+from tests.row_by_row import row_by_row
 
 ROBOT = Scope(joints=("theta1", "theta2"), lengths=("a1", "a2", "d3"))
 
@@ -19,7 +20,7 @@ def refused(text: str, scope: Scope = ROBOT, place: Place | None = None) -> str:
     return str(caught.value).removeprefix("expression:")
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "message"),
     [
         ("", "1: the end where a number, a name or a bracket was expected"),
@@ -57,7 +58,7 @@ def refused(text: str, scope: Scope = ROBOT, place: Place | None = None) -> str:
         ("\\frac123", "6: '123' where { was expected after \\frac"),
         ("a1 \\", "4: a backslash at the end (remove it, or write a LaTeX command such as \\theta)"),
         ("a_", "2: _ (Low Line) means nothing here"),
-        ("0.5.a1", "4: . (Full Stop) means nothing here"),
+        ("0.5..a1", "4: . (Full Stop) means nothing here"),
         ("(0,5)", "3: ',' where ) was expected to close ("),
     ],
 )

@@ -10,6 +10,7 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.products import MOST_FACTORS, parse_factors
 from dhcli.notation.quantity import to_angle, to_length
+from tests.row_by_row import row_by_row
 
 RIGHT = Angle.in_degrees(90)
 
@@ -19,7 +20,7 @@ def trans(x: str, y: str, z: str) -> Trans:
     return Trans(*(to_length(parse(text)) for text in (x, y, z)))
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "chain"),
     [
         ("Rot(z, 90°)", (Rot("z", RIGHT),)),
@@ -67,7 +68,7 @@ def test_a_literal_matrix_may_stand_among_the_moves(text: str) -> None:
     assert read_chain(f"inv({text})") == inverse((fixed,))
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "message"),
     [
         ("", "1: no move is written here"),

@@ -18,6 +18,7 @@ from dhcli.notation.styles import RESERVED, identifier
 from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import Symbol, add
 from dhcli.notation.writer import write
+from tests.row_by_row import row_by_row
 
 WORDS = ("is", "np", "E", "I", "end", "lambda", "None", "in_", "S", "for", "while", "eps", "a1", "l_x", "alpha_{i-1}")
 STYLES = ("numpy", "sympy", "matlab")
@@ -43,8 +44,8 @@ def test_sympy_takes_every_name_for_a_symbol() -> None:
         assert expr == sympy.Symbol(identifier(word, "sympy"))
 
 
-@pytest.mark.parametrize("style", STYLES)
-@pytest.mark.parametrize("word", ["is", "np", "E", "I", "end", "lambda"])
+@row_by_row("style", STYLES)
+@row_by_row("word", ["is", "np", "E", "I", "end", "lambda"])
 def test_what_is_written_for_a_program_is_read_back(style: str, word: str) -> None:
     """The underscore belongs to the program, not to the name."""
     scope = Scope(lengths=(word, "a1"))

@@ -8,6 +8,7 @@ from dhcli.files.library.lookup import Kind, entries
 from dhcli.notation.let import name_parts
 from dhcli.notation.parser import parse
 from dhcli.notation.walk import operations, substitute, symbols
+from tests.row_by_row import row_by_row
 
 ROBOTS = [entry.name for entry in entries(Kind.ROBOTS) if entry.origin == "built-in"]
 
@@ -24,7 +25,7 @@ def test_putting_the_definitions_back_gives_the_same_matrix(name: str) -> None:
             assert equal(entry, short)
 
 
-@pytest.mark.parametrize("name", ROBOTS)
+@row_by_row("name", ROBOTS)
 def test_a_definition_uses_only_names_that_come_before_it(name: str) -> None:
     """So that a reader, and a program, can go from top to bottom."""
     rows = symbolic(load_robot(name)).rows

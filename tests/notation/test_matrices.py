@@ -11,6 +11,7 @@ from dhcli.notation.matrix import Cell, parse_matrix
 from dhcli.notation.scope import Scope
 from dhcli.notation.styles import STYLES
 from dhcli.notation.writer import write
+from tests.row_by_row import row_by_row
 
 ROBOT = Scope(joints=("theta1", "theta2", "theta3"), lengths=("a1", "a2", "d3", "l1"))
 
@@ -22,7 +23,7 @@ def texts(matrix: tuple[tuple[Cell, ...], ...]) -> list[list[str]]:
     return [[write(cell.expr) for cell in row] for row in matrix]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "text",
     [
         "[[c1, -s1], [s1, c1]]",
@@ -70,7 +71,7 @@ def test_a_matrix_is_read_however_it_is_written(text: str) -> None:
     assert texts(parse_matrix(text, ROBOT)) == ROTATION
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "entries"),
     [
         ("c1 -s1", [["c1", "-s1"]]),
@@ -98,8 +99,8 @@ def test_a_blank_begins_a_cell_where_a_person_means_one(text: str, entries: list
     assert texts(parse_matrix(text, ROBOT)) == entries
 
 
-@pytest.mark.parametrize("style", [name for name in STYLES if name != "sympy"])
-@pytest.mark.parametrize("separators", [(", ", "; "), (" & ", " \\\\ "), (" | ", "\n"), (", ", "\n")])
+@row_by_row("style", [name for name in STYLES if name != "sympy"])
+@row_by_row("separators", [(", ", "; "), (" & ", " \\\\ "), (" | ", "\n"), (", ", "\n")])
 def test_a_written_matrix_is_read_back(style: str, separators: tuple[str, str]) -> None:
     """The pose of a robot in every notation and every layout."""
     arm = load_robot("scara")

@@ -10,6 +10,7 @@ from dhcli.notation.products import parse_factors
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope, usual
 from dhcli.notation.writer import write, write_angle
+from tests.row_by_row import row_by_row
 
 ROBOT = Scope(joints=("theta1", "theta2", "theta3", "theta4"), lengths=("a1", "d3", "c", "reach"))
 SCOPES = (OPEN, ROBOT, Scope(), usual())
@@ -25,8 +26,8 @@ def refusal(text: str, scope: Scope) -> str:
     return f"{problem.message} ({problem.hint})"
 
 
-@pytest.mark.parametrize("scope", SCOPES)
-@pytest.mark.parametrize(
+@row_by_row("scope", SCOPES)
+@row_by_row(
     ("text", "said"),
     [
         ("400mm/2mm", "a second unit, mm, stands in one product"),
@@ -71,7 +72,7 @@ def test_a_text_that_means_nothing_is_refused_in_every_scope(text: str, said: st
     assert refusal(text, scope).startswith(said)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "metres"),
     [
         ("1/2 m", "1/2"),
@@ -97,12 +98,13 @@ def test_a_length_in_any_form_is_still_read(text: str, metres: str) -> None:
     ("text", "said"),
     [
         ("30° 15", "a number stands behind the unit °"),
-        ("30°15'", "a number stands behind the unit °"),
+        ("30°15″", "a number stands behind the unit °"),
+        ("30°75'", "a number stands behind the unit °"),
         ("30 deg deg", "a second unit, deg, stands in one product"),
     ],
 )
-def test_degrees_and_minutes_are_a_question(text: str, said: str) -> None:
-    """`30° 15` is neither 450° nor 45°."""
+def test_a_number_behind_degrees_that_are_no_minutes_is_a_question(text: str, said: str) -> None:
+    """`30° 15` is neither 450° nor 45°, and there are no 75 minutes."""
     with pytest.raises(NotationError) as caught:
         parse(text)
     assert caught.value.problems[0].message == said

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
@@ -17,6 +16,7 @@ from dhcli.notation.tree import HALF, Call, Expr, Number, Product, Sum, add, mul
 from dhcli.notation.walk import walk
 from dhcli.notation.writer import write, write_angle
 from tests.nightly import examples
+from tests.row_by_row import row_by_row
 from tests.strategies import LENGTHS, THETAS, exact_angles, numeric_angles, polynomials
 
 ROBOT = Scope(joints=THETAS, lengths=LENGTHS)
@@ -79,7 +79,7 @@ def test_twice_negated_is_the_same(expr: Expr) -> None:
     assert add(expr, negate(expr)) == Number(Fraction(0))
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "style", "written"),
     [
         ("c1*(a2*c2 + a3*c23 - d4*s23) - d3*s1", "short", "c1*(a2*c2 + a3*c23 - d4*s23) - d3*s1"),

@@ -11,6 +11,7 @@ from dhcli.notation.pasted import EntriesError, rows_of, without_label
 from dhcli.notation.scope import Scope
 from dhcli.notation.screens import LONGEST, equations, plain, with_factor
 from dhcli.notation.writer import write
+from tests.row_by_row import row_by_row
 
 ROBOT = Scope(joints=("theta1", "theta2"), lengths=("a1", "a2", "a_i"), angles=("theta_i",))
 ARRAY = r"\begin{array}{cc} c_{12} & -s_{12} \\ s_{12} & c_{12} \end{array}"
@@ -21,7 +22,7 @@ def matrix(text: str) -> list[list[str]]:
     return [[write(cell.expr) for cell in row] for row in parse_matrix(without_label(text), ROBOT)]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "read"),
     [
         ("r_{11} = c_{12}", "c12"),
@@ -48,7 +49,7 @@ def test_one_entry_is_read_as_it_is_printed(text: str, read: str) -> None:
     assert write(parse(without_label(text), ROBOT)) == read
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "text",
     [
         ARRAY,

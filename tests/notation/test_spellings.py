@@ -10,6 +10,7 @@ from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.writer import write, write_angle
+from tests.row_by_row import row_by_row
 
 ROBOT = Scope(
     joints=("theta1", "theta2", "theta3"),
@@ -20,7 +21,7 @@ ROBOT = Scope(
 """The names of an exercise: joints, twists, lengths, one of them called c."""
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "read"),
     [
         # numbers
@@ -39,7 +40,9 @@ ROBOT = Scope(
         ("d_f", "d_f"), ("d_{f}", "d_f"), ("α", "alpha"), ("\\alpha_{i-1}", "alpha_{i-1}"), ("α_{i-1}", "alpha_{i-1}"),
         # cosines and sines
         ("cos(theta1)", "c1"), ("cos θ1", "c1"), ("cosθ1", "c1"), ("\\cos\\theta_1", "c1"), ("Cos(q1)", "c1"),
-        ("np.cos(theta1)", "c1"), ("\\cos\\left(\\theta_1\\right)", "c1"), ("cos(theta1+theta2)", "c12"),
+        ("np.cos(theta1)", "c1"), ("a1.c1", "a1*c1"), ("-a1.s12.c3", "-a1*s12*c3"), ("(a1+a2).c1", "c1*(a1 + a2)"),
+        ("minus 2", "-2"), ("a1 minus a2", "a1 - a2"),
+        ("\\cos\\left(\\theta_1\\right)", "c1"), ("cos(theta1+theta2)", "c12"),
         ("cos(theta2 + theta1)", "c12"), ("sin^2 θ1", "s1^2"), ("sin²(θ1)", "s1^2"), ("\\sin^2\\theta_1", "s1^2"),
         ("cos 2θ1", "c(2*theta1)"), ("cos(-θ1)", "c1"), ("sin(-θ1)", "-s1"), ("sin α", "sin(alpha)"),
         ("cos(θ1 - 90°)", "s1"), ("cos(θ1 + π)", "-c1"), ("sin(θ1+θ2-π/2)", "-c12"), ("cos(60°)", "1/2"),
@@ -75,7 +78,7 @@ def test_a_spelling_is_read_as_it_is_meant(text: str, read: str) -> None:
     assert write(parse(text, ROBOT)) == read
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "read"),
     [
         ("c12", "c12"), ("cα_i", "cos(alpha_i)"), ("a1c1", "a1*c1"), ("c5", "c5"), ("l_1 c_1", "l1*c1"),
@@ -90,7 +93,7 @@ def test_without_a_robot_names_stand_for_themselves(text: str, read: str) -> Non
     assert write(parse(text)) == read
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "angle"),
     [
         ("-90°", "-90°"), ("90 deg", "90°"), ("90º", "90°"), ("90^\\circ", "90°"), ("90^{\\circ}", "90°"),
@@ -98,6 +101,7 @@ def test_without_a_robot_names_stand_for_themselves(text: str, read: str) -> Non
         ("theta3 - 180°", "theta3 - 180°"), ("90° + θ1", "theta1 + 90°"), ("theta1/2", "theta1/2"),
         ("2*theta1 - theta2 + 0.25 rad", "2*theta1 - theta2 + 0.25 rad"), ("π rad", "180°"), ("22.5°", "22.5°"),
         ("30 degrees", "30°"), ("-(θ1 + 90°)", "-theta1 - 90°"), ("1/3 deg", "(1/3)°"),
+        ("2°28′38″", "(4459/1800)°"), ("-2° 28' 38\"", "(-4459/1800)°"), ("30°15'", "30.25°"), ("-0°30'", "-0.5°"),
     ],
 )  # fmt: skip
 def test_an_angle_is_read_exactly(text: str, angle: str) -> None:
@@ -105,7 +109,7 @@ def test_an_angle_is_read_exactly(text: str, angle: str) -> None:
     assert write_angle(to_angle(parse(text), bare="refuse")) == angle
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "metres"),
     [
         ("432 mm", "0.432"), ("432mm", "0.432"), ("43.18cm", "0.4318"), ("0.4 m", "0.4"), ("0.4m", "0.4"),

@@ -11,11 +11,12 @@ import pytest
 from dhcli.errors import UnknownNameError
 from dhcli.render import kinds
 from tests.cli.running import run
+from tests.row_by_row import row_by_row
 
 ROOT = Path(__file__).parents[2]
 
 
-@pytest.mark.parametrize("where", sorted({*kinds._RENDERERS.values(), *(one.content for one in kinds._KINDS.values())}))
+@row_by_row("where", sorted({*kinds._RENDERERS.values(), *(one.content for one in kinds._KINDS.values())}))
 def test_every_renderer_that_is_registered_exists(where: str) -> None:
     """They are imported late, so a misspelling would show late."""
     module, _, function = where.partition(":")

@@ -23,6 +23,7 @@ from dhcli.scene.primitives import Box, Drum, Scene
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.staging import ArmAt
 from dhcli.scene.vectors import norm, sub
+from tests.row_by_row import row_by_row
 from tests.scene.examples import ROBOTS
 
 REAL = tuple(name for name in ROBOTS if not name.startswith("dh-link"))
@@ -61,7 +62,7 @@ def test_the_states_of_a_skeleton_are_the_frames_of_forward(name: str, q: list[f
             assert axis == pytest.approx([row[column] for row in known.rows[:3]], abs=1e-12)
 
 
-@pytest.mark.parametrize("name", TABLES)
+@row_by_row("name", TABLES)
 def test_dimensions_stand_where_the_convention_has_them(name: str) -> None:
     """Standard: d along z of the frame before, a along x of its own; modified: a along x before, d along its own z."""
     robot = load_robot(name)
@@ -87,7 +88,7 @@ def test_dimensions_stand_where_the_convention_has_them(name: str) -> None:
             assert _is_on(end, *ends)
 
 
-@pytest.mark.parametrize("name", TABLES)
+@row_by_row("name", TABLES)
 def test_a_body_stands_on_the_axis_of_its_joint(name: str) -> None:
     """z_{i-1} in the standard convention, z_i in the modified one; sliding along it changes nothing."""
     robot = load_robot(name)
@@ -121,7 +122,7 @@ def test_a_turned_joint_moves_nothing_on_its_own_axis(name: str) -> None:
         assert still == pytest.approx(scene.point(solid.centre), abs=1e-12)
 
 
-@pytest.mark.parametrize("name", REAL)
+@row_by_row("name", REAL)
 def test_drums_that_share_a_place_fan_out(name: str) -> None:
     """No middle of a body inside another: of joints at one point the first goes back and the last ahead."""
     scene = _scene(name)

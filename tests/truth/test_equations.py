@@ -23,6 +23,7 @@ from dhcli.notation.quantity import to_angle
 from dhcli.notation.tree import Expr, number
 from dhcli.notation.walk import substitute
 from tests.nightly import in_turn
+from tests.row_by_row import row_by_row
 from tests.truth.items import EQUATIONS, TRUTH, Matrix, angle, chain, computed, computed_over, matrix, read, typed
 
 IN_FILES = {
@@ -152,19 +153,19 @@ def test_there_are_125_equations() -> None:
     assert len(EQUATIONS) == 125
 
 
-@pytest.mark.parametrize("name", EQUATIONS)
+@row_by_row("name", EQUATIONS)
 def test_the_equation_comes_out_as_the_truth_says(name: str) -> None:
     """Entry by entry, for all values of the names."""
     assert same(computed(EQUATIONS[name]), matrix(EQUATIONS[name]["expected"]))
 
 
-@pytest.mark.parametrize("name", in_turn([*EQUATIONS], 0, 2))
+@row_by_row("name", in_turn([*EQUATIONS], 0, 2))
 def test_the_short_form_is_read_as_the_long_one(name: str) -> None:
     """`c1*s23` of the truth means cos(theta1)*sin(theta2 + theta3), to the tree."""
     assert matrix(EQUATIONS[name]["expected_short"]) == matrix(EQUATIONS[name]["expected"])
 
 
-@pytest.mark.parametrize("name", in_turn([name for name, item in EQUATIONS.items() if item.get("sample")], 1, 2))
+@row_by_row("name", in_turn([name for name, item in EQUATIONS.items() if item.get("sample")], 1, 2))
 def test_the_equation_comes_out_in_numbers(name: str) -> None:
     """At the sample of the truth, which was found by carrying frames along, to 1e-9."""
     sample = EQUATIONS[name]["sample"]
@@ -175,14 +176,14 @@ def test_the_equation_comes_out_in_numbers(name: str) -> None:
         assert line == pytest.approx(wanted, abs=1e-9, rel=0)
 
 
-@pytest.mark.parametrize("name", IN_FILES)
+@row_by_row("name", IN_FILES)
 def test_the_file_of_the_robot_gives_the_equation(name: str) -> None:
     """The whole way from the YAML file to the printed matrix."""
     arm, start, end = IN_FILES[name]
     assert same(symbolic(robot(arm), start=start, end=end).rows, matrix(TRUTH[name]["expected"]))
 
 
-@pytest.mark.parametrize("name", [name for name, item in EQUATIONS.items() if item["compute"]["op"] == "chain"])
+@row_by_row("name", [name for name, item in EQUATIONS.items() if item["compute"]["op"] == "chain"])
 def test_the_product_can_be_typed(name: str) -> None:
     """`Trans(8, -6, 14) Rot(y, pi/2) Rot(z, pi/2)` as text gives the same moves."""
     compute = EQUATIONS[name]["compute"]

@@ -16,6 +16,7 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.parser import parse
 from dhcli.notation.tree import Expr, Symbol
+from tests.row_by_row import row_by_row
 from tests.truth.items import CELLS, EQUATIONS, ERRATA, MISPRINTS, TRUTH, Matrix, chain, computed, matrix, read
 
 IN_CELLS = {n for n, erratum in MISPRINTS.items() if erratum["cells"]}
@@ -94,7 +95,7 @@ def test_every_wrong_cell_of_the_truth_belongs_to_an_erratum() -> None:
     assert wrong == known
 
 
-@pytest.mark.parametrize("name", [name for name, item in EQUATIONS.items() if item["printed"]])
+@row_by_row("name", [name for name, item in EQUATIONS.items() if item["printed"]])
 def test_a_printed_matrix_is_right_but_for_its_errata(name: str) -> None:
     """So that a misprint is never overlooked, nor found where there is none."""
     item = EQUATIONS[name]

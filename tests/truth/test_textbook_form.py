@@ -12,6 +12,7 @@ from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.forward import symbolic
 from dhcli.notation.parser import parse
 from dhcli.notation.writer import write
+from tests.row_by_row import row_by_row
 from tests.truth.items import EQUATIONS, computed, count, matrix, tree
 
 PRINTED = {name: item for name, item in EQUATIONS.items() if item["printed"]}
@@ -79,7 +80,7 @@ def test_the_comparison_of_trees_sees_a_difference_of_form() -> None:
     assert tree(parse("2*a1 - a2")) != tree(parse("2*a1 + a2"))
 
 
-@pytest.mark.parametrize("name", [name for name in PRINTED if name not in OTHERWISE])
+@row_by_row("name", [name for name in PRINTED if name not in OTHERWISE])
 def test_the_result_is_the_printed_tree(name: str) -> None:
     """In every cell."""
     assert different_cells(name) == frozenset()
@@ -95,7 +96,7 @@ def test_a_result_written_otherwise_is_so_in_the_cells_of_the_note_only(name: st
     assert all(equal(ours[i - 1][j - 1], theirs[i - 1][j - 1]) for i, j in cells)
 
 
-@pytest.mark.parametrize("name", PRINTED)
+@row_by_row("name", PRINTED)
 def test_the_result_has_no_more_operations_than_the_printed_one(name: str) -> None:
     """All entries together."""
     assert count(computed(PRINTED[name])) <= count(matrix(PRINTED[name]["expected"]))

@@ -17,6 +17,7 @@ from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.search import Search
 from dhcli.checking.diagnosis.typed import TypedMatrix
 from dhcli.checking.returned import Causes
+from dhcli.errors import joined
 from dhcli.frozen import frozen
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import operations
@@ -153,8 +154,7 @@ def _of_a_kind(found: Sequence[tuple[str, Found]]) -> Causes:
 def _throughout(name: str, texts: Sequence[str], places: Sequence[str]) -> Slip:
     """A slip that is made in several entries, such as `sum-as-product 1,1 and 2,2 c1*c2 for c12`."""
     mistake, about = BY_ID[name], " and ".join(dict.fromkeys(texts))
-    where = f"{', '.join(places[:-1])} and {places[-1]}"
-    shown = f"entries ({'), ('.join(places[:-1])}) and ({places[-1]})"
+    where, shown = joined(places), f"entries {joined([f'({place})' for place in places])}"
     if len(places) > MOST_TOLD:
         where, shown = "throughout", f"{len(places)} entries"
     rows = ", ".join(dict.fromkeys(place.partition(",")[0] for place in places))

@@ -17,6 +17,7 @@ from dhcli.checking.diagnosis.search import Numbers, matches
 from dhcli.checking.diagnosis.slips import Candidate
 from dhcli.checking.diagnosis.work import Work
 from dhcli.checking.returned import Causes
+from dhcli.errors import joined
 
 PAIR = 2
 
@@ -70,7 +71,7 @@ def _only_in(one: Candidate, right: Work, index: int) -> bool:
 def _in_rows(name: str, places: Sequence[str]) -> Slip:
     """A slip that is made in several rows, such as `alpha-sign 4, 5 and 6`."""
     mistake = BY_ID[name]
-    where = f"{', '.join(places[:-1])} and {places[-1]}"
+    where = joined(places)
 
     def told(words: str) -> str:
         return re.sub(r"(row|joint) \{\w+\}", rf"\1s {where}", words)

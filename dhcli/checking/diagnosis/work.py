@@ -13,8 +13,8 @@ from fractions import Fraction
 from functools import partial
 from typing import TypeAlias, TypeVar
 
+from dhcli.checking.kinds.linked import needed
 from dhcli.checking.wanted import Wanted
-from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.frames import View, span_of
@@ -150,8 +150,7 @@ def right_work(question: Wanted, robot: Robot | None, setting: Setting) -> Work:
     if not isinstance(source, View):
         steps = tuple(Factor(str(k), (move,)) for k, move in enumerate(source.chain, 1))
         return Work(question, steps, inverted=question.inverse)
-    if robot is None:
-        raise RobotError("this question needs a robot", "name one under robot:")
+    robot = needed(robot)
     first, last = span_of(robot, source)
     steps = steps_between(robot, setting, min(first, last), max(first, last))
     return Work(question, steps, inverted=question.inverse is not (first > last))

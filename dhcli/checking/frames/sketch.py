@@ -68,6 +68,11 @@ class Sketch:
         """Number of the first frame."""
         return self.robot.first - 1
 
+    @property
+    def joint_values(self) -> dict[str, Value]:
+        """The value of every joint in the pose drawn."""
+        return {line.name: self.pose.get(line.name, Angle() if line.turns else NOTHING) for line in self.axes}
+
     def axis_of(self, k: int) -> Line | None:
         """The joint axis that z of frame k, from 0, has to lie along; None where it is free."""
         joint = k if self.convention is Convention.STANDARD else k - 1

@@ -10,10 +10,9 @@ from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.frames.reading import TypedFrame
 from dhcli.checking.frames.rules import DH1, FRAME, TASK, X_CELL, Z_CELL, Broken, Rules
 from dhcli.checking.returned import Causes
-from dhcli.checking.tables.reasons import OTHERS
 from dhcli.frozen import frozen
 from dhcli.geometry.vectors import Vector, cross, dot, length, scaled
-from dhcli.kinematics.conventions import NAMES
+from dhcli.kinematics.conventions import NAMES, OTHER
 from dhcli.kinematics.describe.drawn import Frame
 from dhcli.kinematics.describe.linear import moved
 from dhcli.kinematics.describe.process import frames_of
@@ -56,7 +55,7 @@ def causes_of(rules: Rules, typed: Sequence[TypedFrame], broken: Sequence[Broken
 
 def every_slip(rules: Rules, right: Sequence[TypedFrame]) -> Iterator[tuple[Slip, tuple[TypedFrame, ...]]]:
     """Every mistake that breaks a rule, with the frames of a student who makes it in right ones."""
-    other = tuple(map(as_typed, frames_of(rules.sketch.walked, OTHERS[rules.sketch.convention])))
+    other = tuple(map(as_typed, frames_of(rules.sketch.walked, OTHER[rules.sketch.convention])))
     if rules.broken(other) and is_of_other(rules, other):
         yield convention_slip(rules), other
     for k in range(len(right)):
@@ -82,14 +81,14 @@ def as_typed(frame: Frame) -> TypedFrame:
 def is_of_other(rules: Rules, typed: Sequence[TypedFrame]) -> bool:
     """Whether frames keep the rules of the other convention; with one joint nearly all do."""
     sketch = rules.sketch
-    free = replace(sketch, convention=OTHERS[sketch.convention], stated=frozenset())
+    free = replace(sketch, convention=OTHER[sketch.convention], stated=frozenset())
     return len(sketch.axes) > 1 and not replace(rules, sketch=free).broken(typed)
 
 
 def convention_slip(rules: Rules) -> Slip:
     """The frames are those of the other convention."""
     asked = rules.sketch.convention
-    words = f"the frames are those of {NAMES[OTHERS[asked]]}, and {asked.value} was asked"
+    words = f"the frames are those of {NAMES[OTHER[asked]]}, and {asked.value} was asked"
     return Slip("convention", words, "which joint turns about z of frame 1, joint 1 or joint 2?")
 
 

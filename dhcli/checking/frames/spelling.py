@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.pasted import UnreadableError, refuse_long
 from dhcli.notation.brackets import OPENING
 from dhcli.regex import regex
 
@@ -37,8 +37,7 @@ def has_frames(text: str) -> bool:
     Raises:
         UnreadableError: It is too long to be looked at.
     """
-    if len(text) > LONGEST:
-        raise UnreadableError(f"the answer has {len(text)} characters, more than the {LONGEST} that are read")
+    refuse_long(text, LONGEST)
     return bool(_HAS_AXIS.search(text)) or any(len(_cells(_bare(row))) > 2 * _VECTOR for row in rows_of(text))
 
 

@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Self
 from dhcli.checking.diagnosis.alternatives import Alternative, AlternativesQuestion
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise
-from dhcli.checking.kinds.linked import found_link, link_of, place_of, read_number
+from dhcli.checking.kinds.linked import link_of, read_number
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.values import Quantity, TypedValue, is_right_value, mark_value, read_typed_value, spelled_value
@@ -18,6 +18,7 @@ from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Row
+from dhcli.kinematics.frames import place_of
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import multiply
@@ -48,14 +49,16 @@ class CellQuestion(AlternativesQuestion[TypedValue]):
         return cls(column, read_number(link, place))
 
     def check(self, robot: Robot | None) -> None:
-        if found_link(robot, self.link).row is None and robot is not None:
+        if link_of(robot, self.link).row is None and robot is not None:
             raise RobotError(f"{robot.name} is given as products and has no table")
 
     def describe(self, _exercise: Exercise) -> str:
         return f"{self.column} of link {self.link}"
 
     def expected(self, case: Case, _style: str = "short") -> str:
-        return spelled_value(self._quantity(getattr(link_of(case.exercise, self.link).row, self.column)), case.exercise)
+        return spelled_value(
+            self._quantity(getattr(link_of(case.exercise.robot, self.link).row, self.column)), case.exercise
+        )
 
     def steps(self, case: Case) -> Iterable[Shown]:
         from dhcli.checking.tables.steps import MEANINGS, cell_lines
@@ -69,7 +72,7 @@ class CellQuestion(AlternativesQuestion[TypedValue]):
         return read_typed_value(case.exercise, text.strip().removesuffix("*"), place)
 
     def mark(self, case: Case, reading: Reading[TypedValue]) -> Mark:
-        row = link_of(case.exercise, self.link).row
+        row = link_of(case.exercise.robot, self.link).row
         if row is None:
             raise RobotError(f"{case.exercise.id} asks for a cell, and its robot has no table")
         return self._mark(case, getattr(row, self.column), reading.value)

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import replace
+from functools import partial
+from operator import eq
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.checking.asking import Besides
+from dhcli.checking.diagnosis.alternatives import Alternative, AlternativesQuestion
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Exercise, Question
+from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.pasted import UnreadableError, without_label, without_number_word
-from dhcli.checking.returned import Causes, Reading, Shown
+from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.verdicts import COUNTED, Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, Place, Problem
 from dhcli.frozen import frozen
@@ -36,7 +39,7 @@ WHAT = {
 
 
 @frozen
-class CountQuestion(Question[int]):
+class CountQuestion(AlternativesQuestion[int]):
     """A count of a linkage: its mobility, links, joints or constraints.
 
     Attributes:
@@ -53,6 +56,7 @@ class CountQuestion(Question[int]):
     words: ClassVar = ("count",)
     examples: ClassVar = ("count mobility four-bar",)
     is_plain: ClassVar = True
+    has_one_name: ClassVar = False
 
     @classmethod
     def asked(cls, text: str, _scope: Scope, place: Place | None) -> Self:
@@ -119,14 +123,8 @@ class CountQuestion(Question[int]):
         remarks = (f"{typed}{COUNTED}{' or when '.join(names)}",) if names else ()
         return Mark(Verdict.WRONG, str(typed), remarks=remarks, expected=str(right))
 
-    def slips(self, case: Case) -> Iterator[Slip]:
-        return (slip for slip, _ in self._slips(case))
-
-    def answer_with(self, case: Case, name: str) -> str | None:
-        return next((str(value) for slip, value in self._slips(case) if slip.name == name), None)
-
-    def causes(self, case: Case, reading: Reading[int]) -> Causes:
-        return tuple((slip,) for slip, value in self._slips(case) if value == reading.value)
+    def alternatives(self, case: Case, _name: str = "") -> Iterable[Alternative[int]]:
+        return (Alternative(slip, str(value), partial(eq, value)) for slip, value in self._slips(case))
 
     def _slips(self, case: Case) -> tuple[tuple[Slip, int], ...]:
         """Slips in the count, each with the number it gives."""

@@ -10,7 +10,7 @@ from typing import ClassVar, Self
 from dhcli.checking.diagnosis.alternatives import Alternative, AlternativesQuestion
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise
-from dhcli.checking.kinds.linked import found_link, link_of, place_of, read_number
+from dhcli.checking.kinds.linked import link_of, read_number
 from dhcli.checking.pasted import without_label
 from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance
@@ -19,8 +19,8 @@ from dhcli.checking.verdicts import AGREEING, Mark, Verdict
 from dhcli.checking.wanted import Wanted
 from dhcli.errors import Place, are, plural
 from dhcli.frozen import frozen
-from dhcli.kinematics.conventions import ORDER, moves_of
-from dhcli.kinematics.frames import View
+from dhcli.kinematics.conventions import ORDER, OTHER, moves_of
+from dhcli.kinematics.frames import View, place_of
 from dhcli.kinematics.moves import Chain, spelled
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.brackets import STEPS
@@ -51,7 +51,7 @@ class FactorsQuestion(AlternativesQuestion[Chain]):
         return cls(read_number(text.removeprefix("factors"), place))
 
     def check(self, robot: Robot | None) -> None:
-        found_link(robot, self.link)
+        link_of(robot, self.link)
 
     def describe(self, _exercise: Exercise) -> str:
         return f"the elementary moves of link {self.link}, in order"
@@ -61,7 +61,7 @@ class FactorsQuestion(AlternativesQuestion[Chain]):
         return True
 
     def expected(self, case: Case, _style: str = "short") -> str:
-        return _spelled(link_of(case.exercise, self.link).moves, case.exercise)
+        return _spelled(link_of(case.exercise.robot, self.link).moves, case.exercise)
 
     def steps(self, case: Case) -> Iterable[Shown]:
         if case.exercise.robot is not None:
@@ -73,11 +73,10 @@ class FactorsQuestion(AlternativesQuestion[Chain]):
         return chain_in_metres(product, exercise.metres, exercise.scope, place or Place("answer"))
 
     def mark(self, case: Case, reading: Reading[Chain]) -> Mark:
-        return _mark(case.exercise, link_of(case.exercise, self.link).moves, reading.value, case.tolerance)
+        return _mark(case.exercise, link_of(case.exercise.robot, self.link).moves, reading.value, case.tolerance)
 
     def alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[Chain]]:
         """Slips in the moves of the link, each move a factor of its own."""
-        from dhcli.checking.diagnosis.mistakes.changes import OTHER
         from dhcli.checking.diagnosis.slips import candidates, setting_of
         from dhcli.checking.diagnosis.work import Factor, Level, Multiplied, Work
 

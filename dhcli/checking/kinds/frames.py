@@ -89,9 +89,7 @@ class FramesQuestion(Question[Answer]):
         yield f"seen from {seen}, drawn with {drawn_at(sketch.pose)}: {'; '.join(axes_text(sketch))}"
 
     def pose_drawn(self, exercise: Exercise) -> Values:
-        from dhcli.checking.frames.overlaid import joints_drawn
-
-        return joints_drawn(sketch_of(exercise, self.convention, self.pose))
+        return sketch_of(exercise, self.convention, self.pose).joint_values
 
     @property
     def in_rows(self) -> bool:
@@ -170,10 +168,10 @@ class FramesQuestion(Question[Answer]):
         return replace(mark, verdict=Verdict.EQUIVALENT, remarks=(note, *mark.remarks)) if mark.earned == 1 else None
 
     def overlaid(self, case: Case, reading: Reading[Answer], values: Values) -> Overlaid:
-        from dhcli.checking.frames.overlaid import joints_drawn, overlaid_frames
+        from dhcli.checking.overlaid import overlaid_frames
 
         rules = self._rules(case)
-        drawn = {**values, **joints_drawn(rules.sketch)}
+        drawn = {**values, **rules.sketch.joint_values}
         if frames := _frames(reading.value):
             return overlaid_frames(rules, frames, self._table.robot_drawn(case.exercise), drawn)
         return self._table.overlaid(case, Reading(reading.text, _rows(reading.value)), drawn)

@@ -13,7 +13,9 @@ from dhcli.checking.motion.asked import Motion, form_of, read_motion
 from dhcli.checking.motion.columns import Columns, columns_of, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion, Typed, axes_step
 from dhcli.checking.motion.grid import Grid
+from dhcli.checking.motion.reading import unit_of_rates
 from dhcli.checking.returned import Reading, Shown
+from dhcli.checking.verdicts import Mark
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError, plural
 from dhcli.frozen import frozen
@@ -95,6 +97,13 @@ class JacobianQuestion(ColumnsQuestion):
             return f"column {self.column} of {whole}"
         shape = "" if exercise.robot is None else " ({}x{})".format(*self.size(exercise.robot))
         return whole + shape
+
+    def mark(self, case: Case, reading: Reading[Entries]) -> Mark:
+        mark, unit = ColumnsQuestion.mark(self, case, reading), unit_of_rates(reading.text)
+        if self.row or self.column or not unit or not mark.verdict.passed:
+            return mark
+        said = f"{unit} is no unit of a Jacobian: its columns of joints that turn hold lengths, those of slides numbers"
+        return replace(mark, remarks=(*mark.remarks, f"{said}; times the rates of the joints it gives {unit}"))
 
     def columns(self, case: Case) -> Columns:
         robot, view = self.motion.check(case.exercise.robot, self.twist)

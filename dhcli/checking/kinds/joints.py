@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.kinds.linked import needed
+from dhcli.checking.lists import untransposed
 from dhcli.checking.other_unit import refuse_right_in
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
@@ -125,7 +127,33 @@ class JointsQuestion(WantedJoints):
 
         if mark.verdict.passed is False:
             refuse_right_in(other_units(field), case.exercise.unit, is_right)
+            if self.which == "all" and len(reading.value) == len(field.joints) > 1:
+                return self._with_rows_told(
+                    mark, reading.text, lambda text: marked(self, case, field, found, wanted, self.read(case, text))
+                )
         return mark
+
+    @staticmethod
+    def _with_rows_told(mark: Mark, text: str, marked: Callable[[str], Mark]) -> Mark:
+        """A wrong square of values, of which nobody can see whether its rows or its columns are the solutions.
+
+        Raises:
+            UnreadableError: It is right the other way round.
+        """
+        plain = untransposed(text.strip())
+        is_turned = plain != text.strip()
+        try:
+            is_right = marked(plain if is_turned else f"{text.strip()}^T").verdict is Verdict.RIGHT
+        except (UnreadableError, NotationError):
+            is_right = False
+        if is_right and is_turned:
+            raise UnreadableError(
+                "right without the sign of a transposition, which makes columns of the rows: leave it out"
+            )
+        if is_right:
+            raise UnreadableError("right if the columns are the solutions: write each solution in a row")
+        said = "by the sign of a transposition the columns that you typed are the solutions"
+        return replace(mark, remarks=(*mark.remarks, said)) if is_turned else mark
 
     def findings(self, case: Case, where: tuple[str | int, ...]) -> Iterable[Finding]:
         found = solutions(case, self.target)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dhcli.checking.exercise import Exercise
 from dhcli.errors import NotationError, Place, Problem, RobotError
+from dhcli.kinematics.frames import place_of
 from dhcli.kinematics.robot import Link, Robot
 
 MOST_DIGITS = 4
@@ -31,34 +31,12 @@ def needed(robot: Robot | None) -> Robot:
     return robot
 
 
-def found_link(robot: Robot | None, number: str) -> Link:
+def link_of(robot: Robot | None, number: str) -> Link:
     """A link that is asked about.
 
     Raises:
-        RobotError: There is no robot, or no such link.
+        RobotError: There is no robot.
+        UnknownNameError: It has no such link.
     """
-    found = [one for one in needed(robot).links if str(one.number) == number]
-    if not found:
-        raise RobotError(f"{needed(robot).name} has no link {number}")
-    return found[0]
-
-
-def link_of(exercise: Exercise, number: str) -> Link:
-    """A link of the exercise's robot by its number.
-
-    Raises:
-        RobotError: There is no robot, or no such link.
-    """
-    robot = exercise.robot
-    if robot is None:
-        raise RobotError(f"{exercise.id} asks about a robot and names none")
-    for link in robot.links:
-        if str(link.number) == number:
-            return link
-    numbered = ", ".join(str(link.number) for link in robot.links)
-    raise RobotError(f"{robot.name} has no link {number}", f"links: {numbered}")
-
-
-def place_of(robot: Robot, number: str) -> int:
-    """The place of a link in its robot."""
-    return next(k for k, link in enumerate(robot.links) if str(link.number) == number)
+    robot = needed(robot)
+    return robot.links[place_of(robot, number)]

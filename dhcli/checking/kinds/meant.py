@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 
 from dhcli.checking.wanted import NotAskedError
@@ -17,8 +18,20 @@ _SPELLINGS = (
     (regex(r"(?:\blink\s+)?\bA_?\{?([0-9]{1,2})\}?(?![\w.])"), r"link \1"),
     (regex(r"\bentry\s*\(?([0-9])\s*,?\s*([0-9])\)?(?=\s)"), r"entry \1 \2"),
     (regex(r"\bproduct\s+([^\"\s][^\"]*)"), r'product "\1"'),
+    (regex(r"\b(?:the )?(?:jacobian(?: matrix)?|J)(?![\w.])", re.IGNORECASE), "jacobian"),
+    (regex(r"\b(?:the )?(linear|angular|space|body|analytic \w+) jacobian\b", re.IGNORECASE), r"jacobian \1"),
+    (regex(r"\bdet(?:erminant)?\s*(?:of )?\(?(jacobian[^()]*)\)?", re.IGNORECASE), r"determinant of \1"),
+    (regex(r"\b(rank|manipulability)\s*(?:of )?\(?(jacobian[^()]*)\)?", re.IGNORECASE), r"\1 of \2"),
+    (regex(r"\Alinear velocity\b"), "velocity"),
+    (
+        regex(r"\A(?:the )?singular(?:ities| poses| configurations)?\b(?! when)(?: of| when)?", re.IGNORECASE),
+        "singular when",
+    ),
+    (regex(r"\A(?:the )?(?:dof|degrees of freedom|mobility) (?:of )?(?:the )?", re.IGNORECASE), "count mobility "),
+    (regex(r"\A(?:the )?(?:count|number of) (links|joints) (?:of |in )?(?:the )?", re.IGNORECASE), r"count \1 "),
 )
-"""`T02`, `T_{02}`, `pose 0-2` and `pose 0 to 2` are `pose 0..2`, `A_2` is `link 2`, `entry (1, 4)` is `entry 1 4`."""
+"""`T02`, `T_{02}`, `pose 0-2` and `pose 0 to 2` are `pose 0..2`, `A_2` is `link 2`, `entry (1, 4)` is `entry 1 4`,
+`det J` is `determinant of jacobian`, `number of links of press` is `count links press`."""
 
 _CALLED = {
     "dh": "table standard",

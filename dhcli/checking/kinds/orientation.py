@@ -130,7 +130,6 @@ class OrientationQuestion(Question[Turn]):
             message = f"{plural(len(cells), 'number')} for {wanted}: {', '.join(self.form.parts)}"
             raise UnreadableError(message)
         over, values, bare = Floats(numbers(exercise.values)), [], False
-        angles = {name: value for name, value in exercise.values.items() if isinstance(value, Angle)}
         for k, (name, expr) in enumerate(zip(self.form.parts, cells, strict=True)):
             try:
                 value = to_angle(expr, bare="deg") if k in self.form.angles else to_length(expr)
@@ -141,7 +140,8 @@ class OrientationQuestion(Question[Turn]):
             if missing := sorted(inside - exercise.values.keys()):
                 raise UnreadableError(f"{name}: a number was asked, and {missing[0]} has no value")
             bare |= k in self.form.angles and not has_angle_unit(expr)
-            values.append(value.substitute(angles).constant() if isinstance(value, Angle) else over.value(value))
+            known = value.substitute(exercise.values) if isinstance(value, Angle) else value
+            values.append(known.constant() if isinstance(known, Angle) else over.value(known))
         return Turn(tuple(values), bare)
 
     def mark(self, case: Case, reading: Reading[Turn]) -> Mark:

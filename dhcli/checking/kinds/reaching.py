@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from functools import partial
+from operator import eq
 from typing import ClassVar, Self
 
+from dhcli.checking.diagnosis.alternatives import Alternative, AlternativesQuestion
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.pasted import UnreadableError, without_label, without_number_word
-from dhcli.checking.returned import Causes, Reading, Shown
+from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.solving.goal import Target, read_target, solutions
 from dhcli.checking.solving.question import GoalQuestion
 from dhcli.checking.verdicts import Mark, Verdict
@@ -38,7 +41,7 @@ def _asked(text: str, scope: Scope, place: Place | None) -> tuple[Target, bool]:
 
 
 @frozen
-class SolutionsQuestion(GoalQuestion[int]):
+class SolutionsQuestion(GoalQuestion[int], AlternativesQuestion[int]):
     """How many joint vectors reach a pose.
 
     Attributes:
@@ -50,6 +53,7 @@ class SolutionsQuestion(GoalQuestion[int]):
     words: ClassVar = ("count solutions",)
     examples: ClassVar = ("count solutions of position (0.5, 0.3, 0)",)
     is_plain: ClassVar = True
+    has_one_name: ClassVar = False
 
     @classmethod
     def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
@@ -90,16 +94,7 @@ class SolutionsQuestion(GoalQuestion[int]):
         verdict = Verdict.RIGHT if typed == right else Verdict.WRONG
         return Mark(verdict, str(typed), earned=float(typed == right), expected=str(right))
 
-    def slips(self, case: Case) -> Iterator[Slip]:
-        return (slip for slip, _ in self._slips(case))
-
-    def answer_with(self, case: Case, name: str) -> str | None:
-        return next((str(number) for slip, number in self._slips(case) if slip.name == name), None)
-
-    def causes(self, case: Case, reading: Reading[int]) -> Causes:
-        return tuple((slip,) for slip, number in self._slips(case) if number == reading.value)
-
-    def _slips(self, case: Case) -> Iterator[tuple[Slip, int]]:
+    def alternatives(self, case: Case, _name: str = "") -> Iterator[Alternative[int]]:
         """Numbers that come out by one slip."""
         right, found = self._right(case), solutions(case, self.target)
         numbers = {
@@ -120,7 +115,7 @@ class SolutionsQuestion(GoalQuestion[int]):
         for slip, number in numbers.items():
             if number not in seen:
                 seen.add(number)
-                yield slip, number
+                yield Alternative(slip, str(number), partial(eq, number))
 
 
 @frozen

@@ -17,10 +17,10 @@ from dhcli.checking.motion.reading import SPEED, TURNING
 from dhcli.checking.motion.task import jacobian_step
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
-from dhcli.errors import Place, RobotError, plural
+from dhcli.errors import Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.velocity.view import joints_between
+from dhcli.kinematics.velocity.view import check_rates, joints_between
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, Symbol, multiply, number, power
 from dhcli.notation.walk import symbols_in
@@ -63,9 +63,8 @@ class VelocityQuestion(ColumnsQuestion):
     def check(self, robot: Robot | None) -> None:
         robot, view = self.motion.check(robot)
         joints = joints_between(robot, view.start, view.end)
-        if self.motion.rates is not None and len(self.motion.rates) != len(joints):
-            message = f"{plural(len(self.motion.rates), 'rate')} for {plural(len(joints), 'joint')}"
-            raise RobotError(message, f"one for each of {', '.join(joints)}")
+        if self.motion.rates is not None:
+            check_rates(self.motion.rates, joints)
 
     def size(self, _robot: Robot) -> tuple[int, int]:
         return 3, 1

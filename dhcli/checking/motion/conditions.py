@@ -34,6 +34,9 @@ _EITHER = regex(
 )
 """`0°/180°`: one or the other, for nobody divides an angle by an angle here."""
 
+_ONE_OF = regex(r"\s*(?:∈|\\in\b|(?<=[\w}\s])in(?=\s*\\?\{))\s*\\?\{(?P<values>[^{}]{1,99}?)\\?\}")
+"""`θ2 ∈ {0, π}`: one of these."""
+
 HALF_TURN, TURN = 180, 360
 LONGEST = 2000
 MOST = 64
@@ -74,8 +77,9 @@ def read_conditions(text: str, exercise: Exercise, place: Place | None, *, joine
         raise UnreadableError(f"an answer of more than {LONGEST} characters is not read")
     if text.strip().lower() in ("never", "nowhere"):
         return ()
+    text = _ONE_OF.sub(lambda one: f" = {' or '.join(one['values'].split(','))}", text.strip())
     found: list[Condition] = []
-    for group in _groups(text.strip().strip("{}[]"), joined=joined):
+    for group in _groups(text.strip("{}[]"), joined=joined):
         atoms = [tuple(_zeros(left, rights, exercise, place or Place("answer"))) for left, rights in group]
         found += (frozenset(zeros) for zeros in every(*atoms))
         if len(found) > MOST:

@@ -15,6 +15,7 @@ from dhcli.checking.diagnosis.slips import setting_of
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.motion.grid import Grid, Numbers, alike
 from dhcli.checking.returned import Causes
+from dhcli.errors import joined
 from dhcli.notation.tree import ZERO, Expr, negate
 
 MOST_TOLD = 4
@@ -55,7 +56,7 @@ def sign_causes(right: Grid, given: Grid, at: AtPoints, placed: Placed) -> Cause
             wrong.append(placed(r, c))
     if len(wrong) < 2:  # noqa: PLR2004  one is a mistake of its own
         return ()
-    places = f"{', '.join(f'({place})' for place in wrong[:-1])} and ({wrong[-1]})"
+    places = joined([f"({place})" for place in wrong])
     shown = f"entries {places}" if len(wrong) <= MOST_TOLD else f"{len(wrong)} entries"
     words = f"the signs of {shown} are turned round"
     return ((Slip("entry-signs " + " ".join(wrong), words, "look at the signs", Rank.SYMPTOM),),)

@@ -10,10 +10,10 @@ from dhcli.checking.entries import Entries, Entry, entries_text, values_of
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.grid import Grid, scale_of, typed
 from dhcli.checking.motion.reading import as_read
-from dhcli.checking.other_unit import InUnit, is_clear, judged_in, plainly_in
+from dhcli.checking.other_unit import InUnit, judged_in, plainly_in
 from dhcli.checking.symbolic import about_equal, counterexample, has_decimals, same
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals, without_unit
-from dhcli.checking.verdicts import AGREEING, TOO_FEW, UNSOLVED, CellMark, Mark, Verdict, worst
+from dhcli.checking.verdicts import AGREEING, APPROXIMATE, TO_DIGITS, TOO_FEW, UNSOLVED, CellMark, Mark, Verdict, worst
 from dhcli.notation.writer import write
 
 
@@ -40,11 +40,7 @@ def _marked(exercise: Exercise, entries: Entries, cells: tuple[CellMark, ...]) -
     verdict = worst(cell.verdict for cell in cells)
     remarks: tuple[str, ...] = ()
     if verdict is Verdict.ROUNDED:
-        remarks = (
-            "right to the digits typed; more digits are wanted"
-            if exercise.numeric
-            else "right approximately: decimals stand where an exact value is",
-        )
+        remarks = (TO_DIGITS if exercise.numeric else APPROXIMATE,)
     width = len(entries[0])
     reading = _in_rows([write(entry.typed, "short", exercise.writing) for row in entries for entry in row], width)
     expected = _in_rows([cell.expected for cell in cells], width)
@@ -69,7 +65,7 @@ def in_other_unit(case: Case, right: Grid, entries: Entries, own: Sequence[CellM
         return InUnit(unit, moved, _marked(exercise, entries, mark_numbers(case, there, right, moved)))
 
     lengths = [
-        (value, limit) if power and is_clear(value, limit) else (0.0, 0.0)
+        (value, limit) if power else (0.0, 0.0)
         for row in zip(truth, limits, right.powers, strict=True)
         for value, limit, power in zip(*row, strict=True)
     ]

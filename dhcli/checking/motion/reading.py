@@ -8,10 +8,10 @@ from dataclasses import replace
 from fractions import Fraction
 
 from dhcli.checking.blanks import refuse_one_expression
-from dhcli.checking.entries import LARGEST, Entries, Entry, check_names, count_remark
+from dhcli.checking.entries import Entries, Entry, check_names, count_remark
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.lists import flat, in_square_brackets
-from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, without_label
+from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, refuse_long, without_label
 from dhcli.checking.units import has_length_unit, length_in_metres
 from dhcli.checking.vectors import LENGTHS, as_column, column_of_rows
 from dhcli.errors import NotationError, Place
@@ -57,8 +57,7 @@ def read_cells(
     Raises:
         UnreadableError: It has another shape, an unknown name, or cannot be read.
     """
-    if len(text) > LARGEST:
-        raise UnreadableError(f"the answer has {len(text)} characters, more than the {LARGEST} that are read")
+    refuse_long(text)
     shape = len(powers), len(powers[0])
     body = without_label(as_matrix(text, shape), shape)
     _check_units(body, units, exercise)
@@ -105,6 +104,12 @@ def _check_units(body: str, wanted: Sequence[str], exercise: Exercise) -> None:
             raise UnreadableError(f"number {number + 1} is in {typed}; {wanted[number]} is wanted")
         if kind not in wanted and (wanted or kind in (TORQUE, FORCE)):
             raise UnreadableError(f"{typed} is a unit of another kind: {_instead(wanted)}")
+
+
+def unit_of_rates(text: str) -> str:
+    """The unit of a speed or a rate that stands in an answer, as it was typed; nothing where there is none."""
+    found = _SPEED.search(text) or _TURNING.search(text)
+    return found[0].strip() if found else ""
 
 
 def _instead(wanted: Sequence[str]) -> str:

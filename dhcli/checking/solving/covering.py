@@ -31,7 +31,6 @@ POSES = 25
 
 SAME = 1e-6
 CONFIRMED = 1e-7
-FULL_TURN = 2 * math.pi
 Known = dict[str, Angle | float]
 
 
@@ -65,7 +64,7 @@ class Asked:
 
     def same(self, one: float, other: float) -> bool:
         """Whether two values are one, whole turns aside."""
-        gap = math.remainder(one - other, FULL_TURN) if self.turns else one - other
+        gap = math.remainder(one - other, math.tau) if self.turns else one - other
         return abs(gap) <= SAME
 
 
@@ -107,7 +106,7 @@ def _ends(textbook: Formula, known: Known, values: Sequence[float], asked: Asked
 def _close(one: Angle | float, other: Angle | float, *, turns: bool) -> bool:
     if isinstance(one, Angle) or isinstance(other, Angle):
         return one == other
-    return abs(math.remainder(one - other, FULL_TURN) if turns else one - other) <= SAME
+    return abs(math.remainder(one - other, math.tau) if turns else one - other) <= SAME
 
 
 def _reaches(chain: Sequence[object], q: Known, entries: Mapping[str, float], *, place_only: bool) -> bool:
@@ -195,7 +194,7 @@ def where(flags: Sequence[bool], cases: Sequence[Case], asked: Asked, candidates
         return ""
 
     name = " + ".join(n for n, _ in asked.terms)
-    if asked.turns and (found := telling(name, [math.remainder(case.right, FULL_TURN) for case in cases])):
+    if asked.turns and (found := telling(name, [math.remainder(case.right, math.tau) for case in cases])):
         return found
     for name, expr in candidates:
         if found := telling(name, [Floats(case.known).value(expr) for case in cases]):

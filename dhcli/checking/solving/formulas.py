@@ -19,7 +19,7 @@ from dhcli.notation.dimensions import ANGLE_UNITS, LENGTH_UNITS, DimensionError,
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import PI, Call, Expr, Number, Product, Sum, Symbol, Trig, Unit, add, multiply, number
+from dhcli.notation.tree import PI, Call, Expr, Number, Power, Product, Sum, Symbol, Trig, Unit, add, multiply, number
 from dhcli.notation.walk import put_for, rebuild, symbols_in, walk
 from dhcli.regex import regex
 
@@ -30,14 +30,16 @@ MOST_STATEMENTS = 12
 _FACTORS = frozenset((0, 1, 2, 4, Fraction(1, 2), Fraction(1, 4), 180))
 """Numbers of formulas that are all in letters."""
 
-_PLUS_MINUS = regex(r"\\pm|\+\s*/\s*-|\+-")
+_PLUS_MINUS = regex(r"\\pm|\+\s*/\s*-|\+-|\bplus[ -](?:or[ -])?minus\b", re.IGNORECASE)
 _MINUS_PLUS = regex(r"\\mp|-\s*/\s*\+|-\+")
 _HALF_TURN_MORE = regex(r",?\s*or\s+180\s*°?\s*more\s*$")
 _OR = regex(r"\s+(?:or|and)\s+")
-_NEXT = regex(r"(?:,|,?\s+(?:with|where|and|or)\s)(?=\s*\\?[^\W\d][\w{}\\]{0,20}[ \t]{0,9}=(?!=))")
+_NEXT = regex(r"(?:,|,?\s+(?:with|where|and|or)\s)(?=\s*\\?[^\W\d][\w{}\\]{0,20}(?:\^2|\*\*2|²)?[ \t]{0,9}=(?!=))")
 """Between statements in one line: `D = ..., theta2 = ...`, `theta2 = ... with D = ...`."""
 
-_STATEMENT = regex(r"\s*(?P<name>\\?[^\W\d][\w{}\\()+ ]*?)\s*=(?!=)\s*(?P<rest>.*)", re.DOTALL)
+_STATEMENT = regex(r"\s*(?P<name>\\?[^\W\d][\w{}\\()+ ]*?(?:\^2|\*\*2|²)?)\s*=(?!=)\s*(?P<rest>.*)", re.DOTALL)
+_SQUARE = regex(r"(?P<base>[^\W\d]\w{0,20})\s{0,9}(?:\^2|\*\*2|²)")
+"""A name that is defined by its square, `r^2 = px^2 + py^2`."""
 _RIGHT_ANGLES = frozenset((90, 180, 270, 360))
 
 
@@ -140,7 +142,7 @@ def _values(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: F
         names = Scope(
             scope.joints,
             scope.angles,
-            (*scope.lengths, *(node.name for node in known if isinstance(node, Symbol))),
+            (*scope.lengths, *(name for name in symbols_in(known) if not scope.has(name))),
             scope.aliases,
         )
         if match and canonical(name.replace(" ", "")) not in asked:
@@ -153,6 +155,9 @@ def _values(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: F
             value = put_for(_plain(_parsed(piece, names, place), unit), known)
             found += [value, add(value, PI)] if half else [value]
     own = {node.name for node in known if isinstance(node, Symbol) and not scope.has(node.name)}
+    squared = {node.base.name for node in known if isinstance(node, Power) and isinstance(node.base, Symbol)}
+    if alone := sorted(squared & symbols_in(found)):
+        raise UnreadableError(f"{alone[0]} stands without its square: define {alone[0]} itself, with a square root")
     if inside := sorted(own & symbols_in(found)):
         raise UnreadableError(f"{inside[0]} stands inside a cosine or sine: write there what it is made of")
     if not found:
@@ -166,6 +171,9 @@ def _parsed(text: str, scope: Scope, place: Place) -> Expr:
 
 def _defined(name: str, scope: Scope, place: Place) -> Expr:
     """What a name in front of `=` stands for: a new name, or the cosine or sine that `c2` is."""
+    square = _SQUARE.fullmatch(name)
+    if square and not scope.has(square["base"]):
+        return Power(Symbol(canonical(square["base"])), Fraction(2))
     try:
         found = parse(name, scope, place)
     except DhcliError:

@@ -38,6 +38,11 @@ _ROW_LABEL = regex(
 _VALUE = regex(r"[+−-]?[\d.]{1,30}°?")  # noqa: RUF001
 _SPACED = regex(rf"\s*{_VALUE.pattern}(?:[ \t]+{_VALUE.pattern})*\s*")
 
+_IN_BRACKETS = regex(
+    r"\s{0,9}[\[({](?P<inside>[^\[\](){}]{1,400})[\])}]\s{0,9}(?:\^\s?\{?\s?\\?(?:T|top)\s?\}?|')?\s{0,9}[,;]?\s{0,9}"
+)
+"""A vector in brackets, with the sign of a transposition and what separates it from the next."""
+
 _BETWEEN = regex(r",?[ \t]+(?:or|and)[ \t]+|[ \t]*\n[ \t]*(?:or|and)[ \t\n]+")
 _BETWEEN_NAMED = regex(rf"(?:{_BETWEEN.pattern})(?=[^\W\d]\w*[ \t]*=)")
 
@@ -111,7 +116,24 @@ def _tidied(text: str, joints: Sequence[str], *, several: bool) -> str:
     text = _COLON.sub("=", _ABOUT.sub("=", _ROW_LABEL.sub(r"\1", text.strip().rstrip(".")))).replace("≈", "")
     between = _BETWEEN_NAMED if _LABEL.search(text) else _BETWEEN
     text = between.sub("; " if several else ", ", text).strip()
-    return with_unit_inside(text, len(joints))
+    return with_unit_inside(_side_by_side(text, len(joints)), len(joints))
+
+
+def _side_by_side(text: str, count: int) -> str:
+    """Vectors in brackets of their own, columns or rows, each as a row: `[30; 45], [60; -45]`; others as they are."""
+    groups = [match["inside"].strip() for match in _IN_BRACKETS.finditer(text)]
+    if len(groups) < 2 or _IN_BRACKETS.sub("", text).strip():  # noqa: PLR2004
+        return text
+    rows = [_apart(inside) for inside in groups]
+    return "; ".join(f"({', '.join(row)})" for row in rows) if all(len(row) == count for row in rows) else text
+
+
+def _apart(inside: str) -> list[str]:
+    """The values of a vector: between semicolons or lines, else between commas, else between blanks."""
+    for separator in (";", "\n", ",", None):
+        if separator is None or separator in inside:
+            return [value.strip() for value in inside.split(separator)]
+    return [inside]
 
 
 def _bracketed(body: str) -> str:
@@ -173,7 +195,6 @@ def _vector(exercise: Exercise, robot: Robot, joints: Sequence[str], row: Sequen
     values, shown, bare = list[float](), list[str](), list[bool]()
     known = exercise.known
     over = Floats(numbers(known))
-    angles = {name: value for name, value in known.items() if isinstance(value, Angle)}
     for name, expr in zip(joints, row, strict=True):
         turns = name in robot.angles
         number, unit = without_unit(expr, 1.0 if turns else float(exercise.metres))
@@ -186,7 +207,7 @@ def _vector(exercise: Exercise, robot: Robot, joints: Sequence[str], row: Sequen
         if missing := sorted(inside - known.keys()):
             raise UnreadableError(f"{name}: a number was asked, and {missing[0]} has no value")
         bare.append(not inside and not (has_angle_unit(expr) if turns else has_length_unit(expr)))
-        values.append(value.substitute(angles).constant() if isinstance(value, Angle) else over.value(value) * unit)
+        values.append(value.substitute(known).constant() if isinstance(value, Angle) else over.value(value) * unit)
         if not math.isfinite(values[-1]):
             raise UnreadableError(f"{name} is no real number")
         shown.append(spelled(exercise, robot, name, values[-1]))

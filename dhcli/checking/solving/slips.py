@@ -17,11 +17,11 @@ from dhcli.checking.solving.derived import derivation_of, slipped, values_at
 from dhcli.checking.solving.goal import Rows, solve
 from dhcli.checking.solving.question import WantedJoints
 from dhcli.checking.solving.reading import Vector
-from dhcli.checking.solving.vectors import FULL_TURN, Range, apart
+from dhcli.checking.solving.vectors import Range, apart
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError
 from dhcli.frozen import frozen
-from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.conventions import OTHER
 from dhcli.kinematics.robot import Robot
 
 Joints: TypeAlias = tuple[float, ...]
@@ -30,7 +30,6 @@ SAME = 2e-3
 
 OTHER_BRANCH = Slip("other-branch", "this is a solution of another branch", "which way does the arm bend?")
 OUTSIDE = Slip("out-of-limits", "a joint is outside its limits", "look at the limits of the joints")
-OTHERS = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
 
 
 @frozen
@@ -144,7 +143,7 @@ def _of_formulas(question: WantedJoints, case: Case, field: Range) -> Iterator[t
         return [tuple(map(_wrapped, field.joints, row)) for row in rows]
 
     def _wrapped(name: str, value: float) -> float:
-        return math.remainder(value, FULL_TURN) if name in field.robot.angles else value
+        return math.remainder(value, math.tau) if name in field.robot.angles else value
 
     true = _different(field, vectors(derivation))
     if len(true) != len(field.solutions) or not all(any(_same(field, a, b) for b in field.solutions) for a in true):
@@ -174,14 +173,14 @@ def _of_pose(case: Case, field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
     if end == "tool" and robot.tool and target.task == "pose":
         slip = Slip("tool-kept", "the tool was not taken off: T is where the tool stands", "T_06 is T inv(tool)")
         yield slip, found(robot, rows, frames=(start, [f for f in robot.frames if f.isdecimal()][-1]))
-    if robot.convention in OTHERS:
+    if robot.convention in OTHER:
         try:
-            other = replace(robot, convention=OTHERS[robot.convention])
+            other = replace(robot, convention=OTHER[robot.convention])
         except DhcliError:
             return
         slip = Slip(
             "convention",
-            f"the table was read in {OTHERS[robot.convention].value} DH",
+            f"the table was read in {OTHER[robot.convention].value} DH",
             "in which order do a row's four moves stand?",
         )
         yield slip, found(other, rows)

@@ -21,7 +21,6 @@ from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import LENGTH_UNITS
 
-FULL_TURN = 2 * math.pi
 FAR = 0.5
 """Joint values farther than this from any solution [rad or reaches] are not taken for one of them."""
 
@@ -78,7 +77,7 @@ def shows_unit(field: Range, meant: Sequence[Vector], unit: str, tolerance: Tole
 def apart(robot: Robot, joints: Sequence[str], one: Sequence[float], other: Sequence[float]) -> list[float]:
     """By how much each joint differs, whole turns aside [rad, m]."""
     return [
-        abs(math.remainder(a - b, FULL_TURN)) if name in robot.angles else abs(a - b)
+        abs(math.remainder(a - b, math.tau)) if name in robot.angles else abs(a - b)
         for name, a, b in zip(joints, one, other, strict=True)
     ]
 

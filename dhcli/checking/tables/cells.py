@@ -107,11 +107,10 @@ def _mark(  # noqa: PLR0913, PLR0917  everything a cell is judged by
 
 def _judged(value: Value, right: Value, exercise: Exercise, tolerance: Tolerance, size: float) -> Verdict:
     if isinstance(value, Angle) and isinstance(right, Angle):
-        known = {name: v for name, v in given_values(exercise).items() if isinstance(v, Angle)}
+        known = given_values(exercise)
         apart = value.substitute(known) - right.substitute(known)
         if apart.terms:
-            own = {name: v for name, v in own_values(exercise).items() if isinstance(v, Angle)}
-            apart = Angle() if value.names else apart.substitute(own)
+            apart = Angle() if value.names else apart.substitute(own_values(exercise))
             if value.names or apart.terms:
                 return Verdict.WRONG
         off = (float((apart.degrees + 180) % 360) + math.degrees(apart.radians)) % 360 - 180

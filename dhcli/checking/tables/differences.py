@@ -14,6 +14,7 @@ from dhcli.checking.tables.comparing import SAME_ROBOT
 from dhcli.checking.tables.motions import Outcome, oddity
 from dhcli.checking.tables.typed_rows import variable_of
 from dhcli.checking.verdicts import Verdict
+from dhcli.errors import are, joined
 from dhcli.frozen import frozen
 from dhcli.geometry.vectors import cross, length
 from dhcli.kinematics.conventions import Convention
@@ -93,9 +94,8 @@ def _mending_twists(answer: TableAnswer) -> list[str]:
 def _agreed(names: list[str]) -> str:
     if not names:
         return ""
-    if len(names) == 1:
-        return f"the axis of joint {names[0]} is right; "
-    return f"the axes of joints {', '.join(names[:-1])} and {names[-1]} are right; "
+    one = len(names) == 1
+    return f"the {'axis of joint' if one else 'axes of joints'} {joined(names)} {are(len(names))} right; "
 
 
 def _turning_rows(answer: TableAnswer, outcome: Outcome) -> str:
@@ -173,6 +173,4 @@ def _row_of(answer: TableAnswer, joint: int) -> int:
 
 def _named(rows: list[int], answer: TableAnswer) -> str:
     numbers = [str(answer.robot.first + k) for k in rows]
-    if len(numbers) == 1:
-        return f"row {numbers[0]}"
-    return f"rows {', '.join(numbers[:-1])} and {numbers[-1]}"
+    return f"{'row' if len(numbers) == 1 else 'rows'} {joined(numbers)}"

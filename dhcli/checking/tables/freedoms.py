@@ -9,6 +9,7 @@ from dataclasses import replace
 from dhcli.algebra.floats import Floats
 from dhcli.frozen import frozen
 from dhcli.geometry.rigid import Rigid
+from dhcli.geometry.vectors import ALONG
 from dhcli.kinematics.axes import Point
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.fold import fold
@@ -92,15 +93,12 @@ def end_freedoms(name: str, frame: Rigid, slack: Slack) -> tuple[str, ...]:
     by = slack.told(*(offset for offset in frame.offset if abs(offset) > slack.length))
     said = []
     if frame.tilt() > slack.angle:
-        turns = {axis: frame.angle_about(unit) for axis, unit in _AXES.items()}
-        about = [axis for axis, unit in _AXES.items() if abs(frame.turned(unit)["xyz".index(axis)] - 1) <= slack.angle]
+        turns = {axis: frame.angle_about(unit) for axis, unit in ALONG.items()}
+        about = [axis for axis, unit in ALONG.items() if abs(frame.turned(unit)["xyz".index(axis)] - 1) <= slack.angle]
         said.append(f"turned by {_signed(turns[about[0]] / DEGREE)} about {about[0]}" if about else "turned")
     if shifted:
         said.append("shifted along " + " and ".join(shifted) + by)
     return (f"your {name} frame is " + " and ".join(said),) if said else ()
-
-
-_AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
 
 def _apart(drawn: Drawn, match: Match, variables: Sequence[str], point: Point) -> Iterator[Rigid]:

@@ -13,12 +13,11 @@ from dhcli.checking.tables.freedoms import end_freedoms
 from dhcli.checking.tables.motions import Outcome, oddity
 from dhcli.checking.verdicts import Verdict
 from dhcli.frozen import frozen
-from dhcli.kinematics.conventions import NAMES, Convention
+from dhcli.kinematics.conventions import NAMES, OTHER, Convention
 from dhcli.kinematics.same_robot import Match
 from dhcli.notation.tree import ZERO
 
 FIXES = "fixes base, end frame, zeros and senses"
-OTHERS = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
 
 
 @frozen
@@ -63,7 +62,7 @@ def is_of_other_convention(answer: TableAnswer) -> bool:
     lies behind; but then a and alpha must be zero where there is nothing before or behind, or any last length would
     do. One joint alone would be right by accident.
     """
-    convention = OTHERS[answer.convention]
+    convention = OTHER[answer.convention]
     if answer.misfit or len(answer.robot.variables) <= 1:
         return False
     robot = replace(answer, compare=SAME_ROBOT, end_free=False)
@@ -75,7 +74,7 @@ def is_of_other_convention(answer: TableAnswer) -> bool:
 
 
 def _other_convention(answer: TableAnswer) -> Reason:
-    other, asked = OTHERS[answer.convention], answer.convention
+    other, asked = OTHER[answer.convention], answer.convention
     hint = "which convention has this table, standard or modified?"
     slip = Slip("convention", f"the rows are those of {NAMES[other]}, and {asked.value} was asked", hint)
     return Reason((f"right for {NAMES[other]}; this exercise uses {asked.value}",), slip)

@@ -9,8 +9,7 @@ from itertools import islice
 
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import general
-from dhcli.checking.entries import LARGEST
-from dhcli.checking.pasted import UnreadableError, without_label
+from dhcli.checking.pasted import LARGEST, UnreadableError, refuse_long, without_label
 from dhcli.checking.tables.spelling import ANGLES, Heads, in_order, keyed_rows, plain_text, without_heads, without_stars
 from dhcli.errors import NotationError, Place, plural
 from dhcli.frozen import frozen
@@ -80,8 +79,7 @@ def read_table(
     Raises:
         UnreadableError: Naming row and column, and what would be read.
     """
-    if len(text) > LARGEST:
-        raise UnreadableError(f"the answer has {len(text)} characters, more than the {LARGEST} that are read")
+    refuse_long(text)
     scope = scope or robot.scope
     columns = tuple(columns or robot.columns)
     source = Source(plain_text(without_label(keyed_rows(text))), place or Place("answer"))

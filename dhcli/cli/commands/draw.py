@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
+from dhcli.cli.shell.many import In
 from dhcli.cli.shell.options import AnyName, Untried, Variant, complete_pose
 from dhcli.cli.shell.spreading import But
 from dhcli.cli.shell.written import Overwrite, output_option
@@ -56,12 +57,13 @@ class Motion:
             autocompletion=complete_pose,
         ),
     ] = None
-    in_: Annotated[
+    rows: Annotated[
         str | None,
         typer.Option(
-            "--in", metavar="FILE", help="A motion through joint values, a row each: .csv, .jsonl or .npy; as in fk."
+            "--rows", metavar="FILE", help="A motion through joint values, a row each: .csv, .jsonl or .npy; as in fk."
         ),
     ] = None
+    in_: In = None
     animate: Annotated[
         bool, typer.Option("--animate", help="An .svg of a motion moves by itself instead of being a strip.")
     ] = False
@@ -73,6 +75,11 @@ class Motion:
             help="Another table of this arm over it, and where they part: a robot or a file.",
         ),
     ] = None
+
+    @property
+    def path(self) -> str | None:
+        """The file with the rows."""
+        return self.in_ if self.rows is None else self.rows
 
 
 @frozen
@@ -171,7 +178,7 @@ def _exercise(chosen: Chosen, motion: Motion, looks: Looks, task: OfExercise, vi
     from dhcli.cli.shell.drawn import of_exercise
     from dhcli.render.pictures.picture import Picture
 
-    if chosen.more or looks.table or motion.to or motion.beside or motion.in_:
+    if chosen.more or looks.table or motion.to or motion.beside or motion.path:
         raise DhcliError(
             f"{chosen.robot} is an exercise: it says itself what is given", "--view, --size and --dark are free"
         )
@@ -194,7 +201,7 @@ def _arm(chosen: Chosen, motion: Motion, looks: Looks, task: OfExercise, view: V
     if task != OfExercise():
         raise DhcliError(f"{chosen.robot} is no exercise: it has no solution and no variants", "leave the option out")
     what = find(chosen)
-    given: dict[str, Any] = posed(what, chosen, to=motion.to, beside=motion.beside, rows=motion.in_)
+    given: dict[str, Any] = posed(what, chosen, to=motion.to, beside=motion.beside, rows=motion.path)
     return Picture(what, view=view, dark=looks.dark, worksheet=looks.worksheet, table=looks.table, **given)
 
 
@@ -207,7 +214,7 @@ def _check(picture: Picture, name: str | None, motion: Motion, looks: Looks) -> 
     from dhcli.cli.shell.drawn import refuse_table
 
     if motion.animate and not picture.moves:
-        raise DhcliError("--animate is for a motion, and nothing moves", "--to or --in says where to")
+        raise DhcliError("--animate is for a motion, and nothing moves", "--to or --rows says where to")
     if motion.animate and name != "svg":
         hint = "a page plays a motion by itself: leave --animate out" if name in ("page", None) else "write -o move.svg"
         raise DhcliError("only an .svg is animated", hint)

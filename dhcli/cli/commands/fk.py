@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.many import MANY, Many
+from dhcli.cli.shell.many import Many
 from dhcli.cli.shell.options import WHERE, Forms, Let, Symbolic
 from dhcli.cli.shell.written import Written
 from dhcli.frozen import frozen
@@ -32,12 +32,12 @@ dhcli fk panda --symbolic --let -o panda.tex
 
 dhcli fk puma560 --code c -o puma560.c
 
-dhcli fk puma560 --in q.csv --as position -o points.csv
+dhcli fk puma560 --rows q.csv --as position -o points.csv
 """
 
 
 _WITH_ROWS = (
-    "with --in go --q NAME=VALUE --deg --set --from --to --tool --inverse --frames --point --as --skip-bad "
+    "with --rows go --q NAME=VALUE --deg --set --from --to --tool --inverse --frames --point --as --skip-bad "
     "--ignore-columns --index --jobs --format -o --overwrite"
 )
 LISTINGS: tuple[Listing, ...] = ("frames", "links", "factors")
@@ -65,23 +65,13 @@ class Asked:
 def fk(
     chosen: Chosen,
     asked: Asked,
-    in_: Annotated[
-        str | None,
-        typer.Option(
-            "--in",
-            metavar="FILE",
-            help="Joint values, a row for each pose: CSV, JSON Lines or .npy; - is stdin. Names and units stand in the "
-            r"header: theta1\[deg]. Gives rows: csv, or jsonl or npy by --format or -o.",
-            rich_help_panel=MANY,
-        ),
-    ] = None,
     *,
     many: Many,
     out: Written,
 ) -> None:
     """Pose of a robot's end frame: in numbers from joint values, or in symbols as the textbook prints it."""
-    if in_ is not None or many.given:
-        _rows(chosen, asked, in_, many, out)
+    if many.given:
+        _rows(chosen, asked, many, out)
     elif out.is_code:
         _code(chosen, asked, out)
     else:
@@ -116,7 +106,7 @@ def _code(chosen: Chosen, asked: Asked, out: Written) -> None:
     written.hand_over("function", forward_function(arm, view, values, with_values=out.with_values))
 
 
-def _rows(chosen: Chosen, asked: Asked, path: str | None, many: Many, out: Written) -> None:
+def _rows(chosen: Chosen, asked: Asked, many: Many, out: Written) -> None:
     """A pose for each row of a file."""
     from dhcli.cli.shell.batch import Work, compute_rows, joint_table
     from dhcli.cli.shell.given import robot_of
@@ -124,7 +114,7 @@ def _rows(chosen: Chosen, asked: Asked, path: str | None, many: Many, out: Writt
 
     others: dict[str, object] = {"--pose": chosen.pose, "--symbolic": asked.symbolic, "--let": asked.let}
     others |= {"--links": asked.links, "--factors": asked.factors, **out.options}
-    path = many.file(path, chosen.robot, others, option="--in", of="poses", instead=_WITH_ROWS)
+    path = many.file(chosen.robot, others, _WITH_ROWS)
     arm = robot_of(chosen)
     wanted = _each(arm, chosen, asked)
     table = joint_table(arm, chosen, many)

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.many import MANY, Many
+from dhcli.cli.shell.many import Many
 from dhcli.cli.shell.options import Axes, EndPoint, Let, Symbolic
+from dhcli.cli.shell.spreading import But
 from dhcli.cli.shell.written import Written
 from dhcli.frozen import frozen
 
@@ -70,23 +71,13 @@ class Asked:
 def jacobian(
     chosen: Chosen,
     asked: Asked,
-    rows: Annotated[
-        str | None,
-        typer.Option(
-            "--rows",
-            metavar="FILE",
-            help="Joint values, a row for each Jacobian: CSV, JSON Lines or .npy; - is stdin. "
-            "Gives rows: csv, or jsonl or npy by --format or -o.",
-            rich_help_panel=MANY,
-        ),
-    ] = None,
     *,
-    many: Many,
+    many: Annotated[Many, But(without=("in_",))],
     out: Written,
 ) -> None:
     """Jacobian of a robot: velocity of its end for each joint's rate, in numbers or as the textbook prints it."""
-    if rows is not None or many.given:
-        _rows(chosen, asked, rows, many, out)
+    if many.given:
+        _rows(chosen, asked, many, out)
     elif out.is_code:
         _code(chosen, asked, out)
     else:
@@ -122,7 +113,7 @@ def _code(chosen: Chosen, asked: Asked, out: Written) -> None:
     written.hand_over("function", jacobian_function(arm, view, form, values, with_values=out.with_values))
 
 
-def _rows(chosen: Chosen, asked: Asked, path: str | None, many: Many, out: Written) -> None:
+def _rows(chosen: Chosen, asked: Asked, many: Many, out: Written) -> None:
     """A Jacobian for each row of a file."""
     from dhcli.cli.shell.batch import Work, compute_rows, joint_table
     from dhcli.cli.shell.given import lengths_of, robot_of
@@ -131,7 +122,7 @@ def _rows(chosen: Chosen, asked: Asked, path: str | None, many: Many, out: Writt
 
     others = {"--pose": chosen.pose, "--symbolic": asked.symbolic, "--let": asked.let, **out.options}
     instead = "rows are numbers, csv, jsonl or npy"
-    path = many.file(path, chosen.robot, others, option="--rows", of="joint values", instead=instead)
+    path = many.file(chosen.robot, others, instead)
     arm = robot_of(chosen)
     wanted = JacobianRows(arm, *_meant(arm, chosen, asked), lengths_of(arm, chosen))
     layout = jacobian_layout(*wanted.layout, index=many.index)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -12,6 +12,9 @@ from dhcli.cli.app import Group, One
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.spreading import But, spread
 from dhcli.cli.shell.written import Overwrite, output_option
+
+if TYPE_CHECKING:
+    from dhcli.files.foreign.importing import Wish
 
 _OF_URDF = But(without=("robot", "q", "deg", "pose", "set_", "motors", "from_", "to", "tool"))
 """Of the options about a robot those that choose a chain of a URDF."""
@@ -52,8 +55,8 @@ def robot(
         typer.Option(
             "--from",
             metavar="FILE",
-            help="Make it of this: a DH table as CSV or Markdown, a listing with SerialLink or DHRobot, kinematics "
-            "YAML of ROS, or a URDF; - is stdin.",
+            help="Make it of this: a DH table as CSV, Markdown or LaTeX, a listing with SerialLink or DHRobot, "
+            "kinematics YAML of ROS, or a URDF; - is stdin.",
         ),
     ] = None,
     units: Annotated[
@@ -70,13 +73,12 @@ def robot(
     from dhcli.files.yaml.templates import check_name, robot_template
 
     if from_ is not None:
-        from dhcli.cli.shell.imported import imported
         from dhcli.files.foreign.importing import Wish
 
         name = name or ("stdin" if from_ == "-" else Path(from_).stem)
         check_name(name)
         wish = Wish(name, convention, joints or "", units or "", chain.base, chain.tip, chain.as_typed)
-        text = imported(from_, wish)
+        text = _imported(from_, wish)
     elif name is None:
         raise DhcliError("a new robot wants a name", "write dhcli new robot my-arm, or --from FILE")
     elif units or chain.more:
@@ -88,6 +90,31 @@ def robot(
     _write(text, output, path, f"dhcli show {asked}, then dhcli fk {asked} --symbolic", overwrite=overwrite)
     if output is None and is_own(name):
         tell(f"note: it hides the robot {name} that dhcli brings along, which is {OWN}{name} now")
+
+
+def _imported(path: str, wish: Wish) -> str:
+    """The text of the robot file that another file makes.
+
+    Args:
+        path: The file; `-` is standard input.
+        wish: What a person says about it.
+
+    Raises:
+        FileError: It is of no form that is read, or something is wrong in it.
+        UnknownNameError: There is no such convention, unit or link.
+    """
+    from dhcli.cli.shell.console import tell
+    from dhcli.files.foreign.importing import import_robot
+    from dhcli.files.reading import read_text, source_of
+    from dhcli.files.yaml.robots import XML_LIMIT
+    from dhcli.files.yaml.writing import robot_text
+
+    robot = import_robot(read_text(path, limit=XML_LIMIT), source_of(path), wish)
+    for remark in robot.remarks:
+        tell(f"note: {remark}")
+    if lacking := [name for name, value in robot.parameters.items() if value is None]:
+        tell(f"note: {', '.join(lacking)} {'has' if len(lacking) == 1 else 'have'} no value yet, see parameters:")
+    return robot_text(robot)
 
 
 @new.command(cls=One, epilog="dhcli new exercise my-course/first --robot planar-2r")

@@ -63,7 +63,7 @@ def start(
         return
     check_ending(output, "yaml")
     named = shlex.quote(name) if name.endswith((".yaml", ".yml")) else exercise.id
-    path = output or f"{exercise.id.split('/')[-1]}.sheet.yaml"
+    path = output or f"{exercise.file_name}.sheet.yaml"
     write_file(path, text, overwrite=overwrite, instead="it may hold answers: -o OTHER.yaml writes another; ")
     tell(f"wrote {path}")
     if pictured := subject(exercise):

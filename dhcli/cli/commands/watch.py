@@ -65,7 +65,7 @@ def watch(
     from dhcli.files.yaml.exercises import load_exercise
 
     exercise = load_exercise(name)
-    path = sheet or f"{exercise.id.split('/')[-1]}.sheet.yaml"
+    path = sheet or f"{exercise.file_name}.sheet.yaml"
     if not os.path.isfile(path):  # noqa: PTH113
         drawn = replace(exercise, variant=variant or "")
         raise DhcliError(f"there is no sheet {path}", f"dhcli start {drawn.typed} -o {path} writes one")

@@ -1,4 +1,4 @@
-"""`fk --in` and `jacobian --rows`: a result for each row of a file, as they come, however many there are."""
+"""`fk --rows` and `jacobian --rows`: a result for each row of a file, as they come, however many there are."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def joint_table(robot: Robot, chosen: Chosen, many: Many) -> JointTable:
         raise DhcliError(message, "--q d3=0.1 is for a joint that has no column")
     held = {name: in_floats(value) for name, value in typed_joints(robot, q, chosen.bare).items()}
     if held and len(held) == len(robot.variables):
-        raise DhcliError("--q gives all joints", "leave --in out, or a joint to the file")
+        raise DhcliError("--q gives all joints", "leave --rows out, or a joint to the file")
     return JointTable(robot, chosen.deg, held, many.ignore_columns)
 
 

@@ -87,7 +87,7 @@ def posed(
 
     if not isinstance(what, Robot):
         if chosen.more or to is not None or beside is not None or rows is not None:
-            raise DhcliError(f"{what.name} is a linkage: --q, --pose, --to, --in, --beside and --set are for robots")
+            raise DhcliError(f"{what.name} is a linkage: --q, --pose, --to, --rows, --beside and --set are for robots")
         return {}
     from dhcli.cli.shell.given import lengths_of, values_of
     from dhcli.cli.shell.joints import typed_joints
@@ -100,7 +100,7 @@ def posed(
     lengths = lengths_of(what, chosen, symbolic=True)
     if rows is not None:
         if chosen.pose is not None or to is not None:
-            raise DhcliError("--in says where all joints are", "leave --pose and --to out")
+            raise DhcliError("--rows says where all joints are", "leave --pose and --to out")
         return {"path": _read_rows(what, rows, chosen), "parameters": lengths, **goal}
     if chosen.q is None:
         return {"pose": chosen.pose, "parameters": lengths, **goal}

@@ -1,4 +1,4 @@
-"""`dhcli ik --in --follow`: a path of poses on one branch, with its jumps and singular passages told."""
+"""`dhcli ik --rows --follow`: a path of poses on one branch, with its jumps and singular passages told."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`dhcli ik --in`: the solutions of each pose of a file, as they come, however many there are."""
+"""`dhcli ik --rows`: the solutions of each pose of a file, as they come, however many there are."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.console import say
 from dhcli.cli.shell.given import lengths_of, robot_of
 from dhcli.cli.shell.goal import task_of
-from dhcli.cli.shell.many import ManyPoses, check_beside_rows
+from dhcli.cli.shell.many import ManyPoses
 from dhcli.cli.shell.pose_wish import PoseWish
 from dhcli.cli.shell.rows import RowDelivery
 from dhcli.cli.shell.solutions import held_of, near_of
@@ -176,13 +176,10 @@ def solve_rows(
     Raises:
         DhcliError: There is no file, an option does not go with it, or a row is no pose.
     """
-    path = many.path
-    if path is None:
-        raise DhcliError("--each, --follow, --skip-bad and --jobs are for many poses", "name their file with --in FILE")
+    path = many.file(chosen.robot, others, "each row is a pose")
     if many.follow:
         _check_follow(which, many)
     each = _each(which, many)
-    check_beside_rows(path, chosen.robot, others, option="--in", instead="each row is a pose")
     delivery.chosen()
     robot = robot_of(chosen)
     wanted_task = None if task is None else task_of(Goal(task=task))

@@ -9,6 +9,11 @@ from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import joint_called, joint_values
 from dhcli.notation.brackets import split
 from dhcli.notation.quantity import Bare
+from dhcli.regex import regex
+
+_ASSIGNS = regex("[=:]")
+_ONE_JOINT = regex(r'"?([^\W\d]\w*)"?\s*[=:\s]\s*([-+−–.\d√π(][^=:,;]*(?:,\d[^=:,;]*)?)')  # noqa: RUF001  minus signs
+"""A joint and its value in a line."""
 
 
 def typed_joints(robot: Robot, text: str | None, bare: Bare, option: str = "--q") -> dict[str, Value]:
@@ -16,7 +21,8 @@ def typed_joints(robot: Robot, text: str | None, bare: Bare, option: str = "--q"
 
     Args:
         robot: The robot.
-        text: What was typed, `@FILE` for what stands in a file: values, assignments, or a table of one row.
+        text: What was typed, `@FILE` for what stands in a file: values, assignments, a line for each joint, or a
+            table of one row.
         bare: What a number without a unit means for a revolute joint.
         option: What it was typed behind.
 
@@ -30,7 +36,11 @@ def typed_joints(robot: Robot, text: str | None, bare: Bare, option: str = "--q"
     path = text[1:]
     place = Place(f"{option} {source_of(path)}")
     bare_lines = (line.partition("#")[0].strip().rstrip(",;") for line in read_text(path).split("\n"))
-    lines = [line for line in bare_lines if line]
+    lines = [line for line in bare_lines if line not in ("", "{", "}")]
+    if all(named := [_named(robot, line) for line in lines]):
+        return joint_values(robot, ", ".join(named), bare=bare, place=place)
+    if len(lines) > 1 and all(line.startswith("- ") for line in lines):
+        raise DhcliError(Problem("each line is a list entry, or negative", place, "write -0.5, or 0.5 without '- '"))
     if lines and _names_joints(robot, lines[0]):
         return joint_values(robot, _assigned(lines, place, path), bare=bare, place=place)
     width = len(robot.variables)
@@ -39,9 +49,15 @@ def typed_joints(robot: Robot, text: str | None, bare: Bare, option: str = "--q"
     return joint_values(robot, ", ".join(lines), bare=bare, place=place)
 
 
+def _named(robot: Robot, line: str) -> str:
+    """A line with a joint and its value, `J1: 0`, `J1 0.00 deg`, as an assignment; nothing if it is none."""
+    found = _ONE_JOINT.fullmatch(line)
+    return f"{found[1]}={found[2].replace(',', '.')}" if found and _is_joint(robot, found[1]) else ""
+
+
 def _names_joints(robot: Robot, line: str) -> bool:
     """Whether a line is the header of a table: `theta1[deg], d3 [mm]`; assignments are none."""
-    return "=" not in line and any(_is_joint(robot, head) for head in re.findall(r'[^\s,;"\[(]+', line))
+    return not _ASSIGNS.search(line) and any(_is_joint(robot, head) for head in re.findall(r'[^\s,;"\[(]+', line))
 
 
 def _is_joint(robot: Robot, name: str) -> bool:
@@ -52,7 +68,7 @@ def _is_joint(robot: Robot, name: str) -> bool:
 
 
 def _is_row(line: str, width: int) -> bool:
-    return width in (len(list(split(line))), len(line.split())) and "=" not in line
+    return width in (len(list(split(line))), len(line.split())) and not _ASSIGNS.search(line)
 
 
 def _assigned(lines: list[str], place: Place, path: str) -> str:
@@ -82,6 +98,4 @@ def _assigned(lines: list[str], place: Place, path: str) -> str:
 
 def _many(rows: int, width: int, place: Place, path: str) -> Problem:
     message = f"{plural(rows, 'row')} of {plural(width, 'value')}, and one pose is wanted"
-    return Problem(
-        message, place, f"many rows: fk --in {path}, draw --in {path} or jacobian --rows {path}; else leave one"
-    )
+    return Problem(message, place, f"many rows: fk --rows {path}; else leave one")

@@ -1,4 +1,4 @@
-"""What `dhcli ik --in` wants of each pose of a file, and which of its rows are poses."""
+"""What `dhcli ik --rows` wants of each pose of a file, and which of its rows are poses."""
 
 from __future__ import annotations
 

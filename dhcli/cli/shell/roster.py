@@ -75,7 +75,7 @@ def start_class(judge: Judge, file: str, output: str | None, *, overwrite: bool)
     names = read_roster(file)
     if not names:
         raise DhcliError(f"{source_of(file)} holds no name", "write a name a line")
-    last = judge.exercise.id.split("/")[-1]
+    last = judge.exercise.file_name
     folder = Path(output or f"{last}-sheets")
     paths = {name: folder / name / f"{last}.sheet.yaml" for name in names}
     for path in paths.values():

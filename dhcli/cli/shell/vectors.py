@@ -9,6 +9,7 @@ from fractions import Fraction
 from dhcli.cli.shell.given import open_scope
 from dhcli.errors import DhcliError, Place, Problem, plural
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.velocity.view import check_rates
 from dhcli.notation.brackets import split
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
@@ -68,9 +69,7 @@ def rates_of(text: str, robot: Robot, joints: Sequence[str]) -> tuple[Expr, ...]
     """
     pieces = list(split(text))
     place = Place("--rates", text=text)
-    if len(pieces) != len(joints):
-        message = f"{plural(len(pieces), 'rate')} for {plural(len(joints), 'joint')}"
-        raise DhcliError(Problem(message, place, f"one for each of {', '.join(joints)}"))
+    check_rates(pieces, joints, place)
     scope = open_scope(robot)
     found = []
     for joint, (offset, piece) in zip(joints, pieces, strict=True):

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 import typer
 
 from dhcli.cli.shell.spreading import But
+from dhcli.errors import joined
 from dhcli.frozen import frozen
 
 if TYPE_CHECKING:
@@ -21,12 +22,13 @@ _PANEL = "Output"
 
 def format_option(*names: str) -> Any:  # noqa: ANN401  what typer makes of an option
     """`--format` for the formats that a command has, with completion."""
-    listed = f"{', '.join(names[:-1])} or {names[-1]}"
 
     def complete(incomplete: str) -> list[str]:
         return [name for name in names if name.startswith(incomplete)]
 
-    return typer.Option("--format", metavar="NAME", help=f"{listed}.", rich_help_panel=_PANEL, autocompletion=complete)
+    return typer.Option(
+        "--format", metavar="NAME", help=f"{joined(names, 'or')}.", rich_help_panel=_PANEL, autocompletion=complete
+    )
 
 
 def file_to_write(path: str | None) -> str | None:
@@ -87,7 +89,7 @@ class Written:
         typer.Option(
             "--code",
             metavar="LANGUAGE",
-            help=f"A function that runs: {', '.join(LANGUAGES[:-1])} or {LANGUAGES[-1]}.",
+            help=f"A function that runs: {joined(LANGUAGES, 'or')}.",
             rich_help_panel=_PANEL,
             autocompletion=complete_language,
         ),

@@ -25,7 +25,7 @@ class Form(Enum):
     SDF = "an SDF"
     MJCF = "an MJCF of MuJoCo"
     XML = "some XML"
-    TABLE = "a DH table as CSV or Markdown"
+    TABLE = "a DH table as CSV, Markdown or LaTeX"
     LISTING = "a listing of a robotics toolbox"
     KINEMATICS = "a kinematics file of ROS"
 

@@ -13,8 +13,12 @@ from dhcli.regex import regex
 LONGEST = 4000
 """Letters of a line that may be a row of heads."""
 
-_SIGNS = ("|", "\t", ";", ",")
+_SIGNS = ("&", "|", "\t", ";", ",")
+_LATEX_END = regex(r"\\\\.*|^\s*\\(?:hline|(?:top|mid|bottom)rule)\s*")
+"""What stands around the cells of a row in LaTeX."""
 _UNIT = regex(r"(?P<name>[^\[(]*)[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]?\s*")
+COUNTED = regex(r"(?:[^\W\d]{1,20}[ _.-]?|[0-9]{1,3} ?(?:-|->|→) ?)?([0-9]{1,3})")
+"""The number of a row, or its name with a number: `2`, `L2`, `link 2`, `1-2`."""
 _WORDS = {
     "link length": "a",
     "length": "a",
@@ -56,11 +60,12 @@ class Heads:
 
 def heads_of(text: str) -> Heads | None:
     """The heads in a text: its first line that names all four columns; in a page, of the first table that has them."""
-    for number, line in enumerate(text.split("\n"), 1):
+    lines = text.split("\n")
+    for number, line in enumerate(lines, 1):
         stripped = line.strip()
         if not stripped or len(stripped) > LONGEST:
             continue
-        found = _heads(stripped, number)
+        found = _heads(stripped, number, "".join(lines[number : number + 1]).split())
         if found is not None:
             return found
     return None
@@ -72,6 +77,8 @@ def cells_of(line: str, sign: str) -> list[str]:
     if sign == "|":
         line = line.removeprefix("|").removesuffix("|")
         return [cell.strip().strip("`$").strip() for cell in line.split("|")]
+    if sign == "&":
+        return [cell.replace("$", "").strip() for cell in _LATEX_END.sub("", line).split("&")]
     if sign == " ":
         return line.split()
     import csv  # most files are none
@@ -79,14 +86,16 @@ def cells_of(line: str, sign: str) -> list[str]:
     return [cell.strip().strip("`$").strip() for cell in next(csv.reader([line], delimiter=sign), [])]
 
 
-def _heads(line: str, number: int) -> Heads | None:
+def _heads(line: str, number: int, below: Sequence[str]) -> Heads | None:
+    """The heads in a line, if it has them; a word before others is one where a number stands below it."""
     for sign in (*(sign for sign in _SIGNS if sign in line), " "):
         cells = cells_of(line.lstrip("#%") if sign != "|" else line, sign)
         if len(cells) < len(COLUMNS):
             continue
         named = [_named(cell) for cell in cells]
         columns = tuple(one.column for one in named)
-        if all(columns.count(column) == 1 for column in COLUMNS) and (sign != " " or set(columns) <= _KNOWN):
+        known = columns[1:] if len(below) == len(columns) and COUNTED.fullmatch(below[0]) else columns
+        if all(columns.count(column) == 1 for column in COLUMNS) and (sign != " " or set(known) <= _KNOWN):
             return Heads(number, sign, columns, tuple(one.unit for one in named), _convention(named))
     return None
 

@@ -69,7 +69,9 @@ def import_robot(text: str, source: str, wish: Wish) -> Robot:
         case Form():
             raise FileError(told(form, source))
         case None:
-            hint = "dhcli reads DH tables as CSV or Markdown, SerialLink listings, kinematics YAML of ROS, and URDF"
+            hint = (
+                "dhcli reads DH tables as CSV, Markdown or LaTeX, SerialLink listings, kinematics YAML of ROS, and URDF"
+            )
             raise FileError(Problem("is none of the forms that are read", Place(source), hint))
     return found if convention in (None, found.convention) else _described(found, convention)
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import islice
 
 from dhcli.errors import FileError, Place, Problem, did_you_mean, plural
-from dhcli.files.foreign.heads import Heads, cells_of, heads_of
+from dhcli.files.foreign.heads import COUNTED, Heads, cells_of, heads_of
 from dhcli.files.foreign.rows import Cell, RowText
 from dhcli.kinematics.conventions import COLUMNS
 from dhcli.regex import regex
@@ -31,35 +32,55 @@ def read_table(text: str, source: str, units: str = "") -> tuple[Heads, list[Row
     heads = heads_of(text)
     if heads is None:
         raise FileError(Problem("holds no heads a, alpha, d, theta", Place(source), "the first row names the columns"))
-    unknown = [column for column in heads.columns if column and column not in _READ]
-    if unknown:
-        place = Place(source, heads.line)
-        hint = did_you_mean(unknown[0], _READ) or f"columns: {', '.join(_READ)}"
-        raise FileError(Problem(f"{unknown[0]} is no column of a DH table", place, hint))
-    rows = list(_rows(text, source, heads, units))
-    if not rows:
+    lines = list(islice(_lines(text, source, heads), MOST_ROWS + 1))
+    if not lines:
         raise FileError(Problem("holds heads and no rows", Place(source, heads.line)))
-    if len(rows) > MOST_ROWS:
+    if len(lines) > MOST_ROWS:
         raise FileError(Problem(f"holds more than {MOST_ROWS} rows", Place(source), "is it the right file?"))
-    return heads, rows
+    heads = _without_numbers(heads, [cells for cells, _ in lines])
+    unknown = next((column for column in heads.columns if column and column not in _READ), None)
+    if unknown is not None:
+        line = text.split("\n")[heads.line - 1]
+        hint = did_you_mean(unknown, _READ) or f"columns: {', '.join(_READ)}"
+        place = Place(source, heads.line, line.find(unknown) + 1, line)
+        raise FileError(Problem(f"{unknown} is no column of a DH table", place, hint))
+    return heads, [_row(cells, place, heads, units) for cells, place in lines]
 
 
-def _rows(text: str, source: str, heads: Heads, units: str) -> Iterator[RowText]:
+def _without_numbers(heads: Heads, rows: Sequence[Sequence[str]]) -> Heads:
+    """The heads, of which those that stand over the numbers of the rows say nothing; one over them may be missing."""
+    if all(len(cells) == len(heads.columns) + 1 for cells in rows) and _are_numbers([cells[0] for cells in rows]):
+        heads = replace(heads, columns=("", *heads.columns), units=("", *heads.units))
+    if not all(len(cells) == len(heads.columns) for cells in rows):
+        return heads  # which is told of the row
+    counted = zip(heads.columns, zip(*rows, strict=True), strict=True)
+    columns = ("" if name not in _READ and _are_numbers(texts) else name for name, texts in counted)
+    return replace(heads, columns=tuple(columns))
+
+
+def _are_numbers(texts: Sequence[str]) -> bool:
+    """Whether texts count rows, `1`, `2` or `L1`, `L2`, from 0 or 1 on."""
+    found = [COUNTED.fullmatch(text) for text in texts]
+    numbers = [int(match[1]) for match in found if match]
+    return numbers in ([*range(len(texts))], [*range(1, len(texts) + 1)])
+
+
+def _lines(text: str, source: str, heads: Heads) -> Iterator[tuple[list[str], Place]]:
+    """The cells of each row, and where it stands."""
     for number, line in enumerate(text.split("\n")[heads.line :], heads.line + 1):
         stripped = line.strip()
-        if heads.sign == "|" and "|" not in stripped:
+        if (heads.sign == "|" and "|" not in stripped) or stripped.startswith("\\end"):
             return  # the table of a page has ended
-        if not stripped or stripped.startswith("#") or _RULE.fullmatch(stripped):
+        is_between = heads.sign == "&" and "&" not in stripped  # \hline
+        if not stripped or is_between or stripped.startswith("#") or _RULE.fullmatch(stripped):
             continue
-        cells = cells_of(line, heads.sign)
-        place = Place(source, number, 1, line)
-        if len(cells) != len(heads.columns):
-            message = f"{plural(len(cells), 'cell')}, and {plural(len(heads.columns), 'head')}"
-            raise FileError(Problem(message, place, "a row has a cell under each head; text with a comma needs quotes"))
-        yield _row(cells, place, heads, units)
+        yield cells_of(line, heads.sign), Place(source, number, 1, line)
 
 
 def _row(cells: list[str], place: Place, heads: Heads, units: str) -> RowText:
+    if len(cells) != len(heads.columns):
+        message = f"{plural(len(cells), 'cell')}, and {plural(len(heads.columns), 'head')}"
+        raise FileError(Problem(message, place, "a row has a cell under each head; text with a comma needs quotes"))
     found: dict[str, Cell] = {}
     kind, column_of_text = "", 0
     for column, text, unit in zip(heads.columns, cells, heads.units, strict=True):

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dhcli.errors import UnknownNameError, did_you_mean
 from dhcli.files.keys.robots import ROBOTS
-from dhcli.files.keys.shapes import Either, Key, Keyed, Many, Named, Scalar, Shape, required
+from dhcli.files.keys.shapes import FLAGS, Either, Key, Keyed, Many, Named, Scalar, Shape, required
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -22,7 +22,6 @@ Schema: TypeAlias = dict[str, Any]
 FORMAT = Key("format", "the format of the file, always 1", Scalar(pattern="1"), is_required=True)
 _ANY = ["string", "number", "boolean"]
 _OWN = {"^x-": True}
-_LOGICAL = {"true": True, "yes": True, "false": False, "no": False}
 
 
 def schema_of(kind: str) -> Schema:
@@ -116,7 +115,7 @@ def _schema(shape: Shape) -> Schema:
 
 def _scalar(shape: Scalar) -> Schema:
     if shape.words:
-        logical = [_LOGICAL[word] for word in shape.words if word in _LOGICAL]
+        logical = [FLAGS[word] for word in shape.words if word in FLAGS]
         return {"enum": [*shape.words, *dict.fromkeys(logical)]}
     if shape.pattern:
         numbers = [number for number in range(1000) if re.fullmatch(shape.pattern, str(number))]

@@ -102,6 +102,8 @@ def _said(key: Key) -> str:
 
 TEXT = Scalar()
 FLAG = Scalar(("true", "false"))
+FLAGS = {"true": True, "yes": True, "false": False, "no": False}
+"""How they are written, `yes` and `no` by some."""
 NUMBER = Scalar()
 WHOLE = Scalar(pattern="[0-9]{1,3}")
 ANGLE = Scalar(is_angle=True)

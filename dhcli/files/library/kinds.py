@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from os.path import isdir, isfile
 
-from dhcli.errors import FileError, UnknownNameError
+from dhcli.errors import FileError, UnknownNameError, joined
 from dhcli.files.library.lookup import Kind, above, entries, full_id, similar
 from dhcli.files.reading import read_text
 
@@ -47,7 +47,7 @@ def unknown(name: str, kinds: Sequence[Kind], error: UnknownNameError) -> Unknow
     said = next(filter(None, (above(kind, name) for kind in kinds)), said)
     near = said if said and not said.startswith(("did you mean", "dhcli list")) else similar(name, kinds)
     hint = "; ".join(filter(None, (near, "dhcli list shows what there is")))
-    return UnknownNameError(f"there is {', '.join(nouns[:-1])} and {nouns[-1]} '{name}'", hint)
+    return UnknownNameError(f"there is {joined(nouns)} '{name}'", hint)
 
 
 def _kind_of_file(path: str) -> Kind:

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator
 from enum import Enum
 from functools import lru_cache
 from pathlib import Path
+from stat import S_ISDIR
 
 from dhcli.errors import UnknownNameError, did_you_mean, nearest
 from dhcli.frozen import frozen
@@ -29,6 +30,8 @@ AS_SIMILAR = 0.1
 LEAST_TYPED = 3
 """Letters by which names are found that hold them anywhere."""
 _SUFFIXES = (".yaml", ".yml")
+_OWN_FOLDERS = ("robots", "exercises")
+"""What makes an entry of `$DHCLI_PATH` a root."""
 _PATHS = (*_SUFFIXES, ".urdf", ".xml", ".xacro", ".sdf", ".csv", ".tsv", ".md", ".m", ".py")
 """What the name of a file ends in, where it is no name of the library."""
 _PACKAGE = Path(__file__).parents[2]
@@ -231,32 +234,40 @@ def _begun(name: str, known: tuple[Entry, ...]) -> str:
     return "did you mean " + " or ".join(found[:MOST_BEGUN]) + f"{more}?"
 
 
-def _folders(kind: Kind) -> Iterator[tuple[Path, str]]:
+def _folders(kind: Kind) -> Iterator[tuple[str, str]]:
     """The folders of a kind that exist, each once, with what the user calls them."""
-    built_in = _built_in_root() / kind.folder
-    seen = {os.path.realpath(built_in)}
+    built_in = os.path.join(_built_in_root(), kind.folder)
+    seen = {None, _identity(built_in)}
     for folder, written in _user_folders(kind):
         # In a checkout the current folder is the root that dhcli brings along: not the user's own.
-        if os.path.isdir(folder) and (real := os.path.realpath(folder)) not in seen:
-            seen.add(real)
+        if (found := _identity(folder)) not in seen:
+            seen.add(found)
             yield folder, written
     yield built_in, BUILT_IN
 
 
-def _user_folders(kind: Kind) -> Iterator[tuple[Path, str]]:
+def _identity(folder: str) -> tuple[int, int] | None:
+    """What a folder has by whichever way it is reached, and no other has; None if it is not there."""
+    try:
+        found = os.stat(folder)
+    except (OSError, ValueError):
+        return None
+    return (found.st_dev, found.st_ino) if S_ISDIR(found.st_mode) else None
+
+
+def _user_folders(kind: Kind) -> Iterator[tuple[str, str]]:
     """The folders of a kind in the user's roots, existing or not."""
-    yield Path(kind.folder), f"./{kind.folder}"
-    for written in os.environ.get("DHCLI_PATH", "").split(os.pathsep):
-        root = Path(os.path.expanduser(written))
+    yield kind.folder, f"./{kind.folder}"
+    for written in filter(None, os.environ.get("DHCLI_PATH", "").split(os.pathsep)):
+        root = os.path.expanduser(written)
         below = kind.folder
-        if kind is not Kind.EXERCISES and not os.path.isdir(root / "robots") and not os.path.isdir(root / "exercises"):
+        if kind is not Kind.EXERCISES and not any(os.path.isdir(os.path.join(root, own)) for own in _OWN_FOLDERS):
             below = below.removeprefix("robots").removeprefix("/")
-        if written:
-            yield root / below, os.path.join(written, below)
+        yield os.path.join(root, below), os.path.join(written, below)
     data_home = os.environ.get("XDG_DATA_HOME", "")
     written = data_home if os.path.isabs(data_home) else "~/.local/share"  # the standard says: ignore a relative one
     written = os.path.join(written, "dhcli", kind.folder)
-    yield Path(os.path.expanduser(written)), written
+    yield os.path.expanduser(written), written
 
 
 def _built_in_root() -> Path:
@@ -273,16 +284,13 @@ def _files(folder: str | Path, *, nested: bool, below: str = "") -> Iterator[tup
             children = list(found)
     except OSError:
         return
+    # What a child is, most folders say of it; only links are looked at.
     for child in children:
-        stem, suffix = os.path.splitext(child.name)
-        if child.name.startswith("."):
+        name = child.name
+        if name.startswith("."):
             continue
-        if nested and os.path.isdir(child.path):
-            yield from _files(child.path, nested=False, below=f"{child.name}/")
-        elif not nested and suffix.lower() in _SUFFIXES and _is_file(child):
-            yield below + stem, child.path
-
-
-def _is_file(child: os.DirEntry[str]) -> bool:
-    """Whether a child of a folder can be read; most are files by what the folder says, and only links are looked at."""
-    return child.is_file(follow_symlinks=False) or os.path.isfile(child.path)
+        if nested:
+            if child.is_dir(follow_symlinks=False) or os.path.isdir(child.path):
+                yield from _files(child.path, nested=False, below=f"{name}/")
+        elif name.lower().endswith(_SUFFIXES) and (child.is_file(follow_symlinks=False) or os.path.isfile(child.path)):
+            yield below + name[: name.rindex(".")], child.path

@@ -5,13 +5,11 @@ from __future__ import annotations
 import math
 
 from dhcli.errors import Place, Problem, RobotError, did_you_mean
-from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS
+from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS, RADIANS
 from dhcli.regex import regex
 
 _HEAD = regex(r"(?P<name>[^\[(]*)(?:[\[(](?P<unit>[^\])]*)[\])])?")
 """A head without the blanks around it; those inside are taken off the pieces, and nothing is tried twice."""
-
-_RADIANS = ("rad", "radian", "radians")
 
 
 def name_and_unit(head: str, place: Place | None = None) -> tuple[str, str]:
@@ -44,7 +42,7 @@ def factor_of(name: str, unit: str, place: Place | None = None, *, turns: bool) 
     """
     unit = unit or ("rad" if turns else "m")
     if turns and unit in ANGLE_UNITS:
-        return (1.0, 1.0) if unit in _RADIANS else (math.pi, 180.0)
+        return (1.0, 1.0) if unit in RADIANS else (math.pi, 180.0)
     if not turns and unit in LENGTH_UNITS:
         return float(LENGTH_UNITS[unit].numerator), float(LENGTH_UNITS[unit].denominator)
     known = ("deg", "rad") if turns else tuple(LENGTH_UNITS)

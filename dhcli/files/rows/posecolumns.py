@@ -1,4 +1,4 @@
-"""The columns of poses: matrices, or positions with an orientation beside them, in whichever way `fk --in` says it."""
+"""The columns of poses: matrices, or positions with an orientation beside them, as `fk --rows` says it."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ MATRIX = tuple(head for i in (1, 2, 3) for head in (*(f"r{i}{k}" for k in (1, 2,
 
 _HINT = (
     f"wanted: {','.join(MATRIX)}, or {','.join(POSITION)}, also with an orientation beside it such as "
-    f"{','.join(TURNS['quaternion'])} or {','.join(TURNS['rpy'])}, as fk --in writes them"
+    f"{','.join(TURNS['quaternion'])} or {','.join(TURNS['rpy'])}, as fk --rows writes them"
 )
 
 LENGTHS = frozenset(POSITION)

@@ -1,4 +1,4 @@
-"""Poses a row each, as `fk --in` writes them: CSV, JSON Lines or .npy, block by block."""
+"""Poses a row each, as `fk --rows` writes them: CSV, JSON Lines or .npy, block by block."""
 
 from __future__ import annotations
 

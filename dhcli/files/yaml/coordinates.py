@@ -9,6 +9,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.errors import NotationError, did_you_mean
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
+from dhcli.geometry.vectors import ALONG
 from dhcli.mobility.linkage import Vector
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
@@ -21,7 +22,6 @@ from dhcli.regex import regex
 MOST_NAMES = 1_000
 """Names under `let:`; each is read with all before it in view."""
 
-_AXES: dict[str, Vector] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 _FROM_TO = regex(r"\s*(\S+)\s+to\s+(\S+)\s*")
 
 
@@ -70,8 +70,7 @@ class Coordinates:
         has_unit = any(isinstance(node, Unit) and node.name in ANGLE_UNITS for node in walk(expr))
         if has_unit or (named and all(isinstance(self.values.get(name), Angle) for name in named)):
             try:
-                known = {name: value for name, value in self.values.items() if isinstance(value, Angle)}
-                return to_angle(expr, bare="refuse").substitute(known)
+                return to_angle(expr, bare="refuse").substitute(self.values)
             except DimensionError as error:
                 if has_unit:
                     self.problems.add(scalar.place, f"{key}: {error.message}", error.hint)
@@ -98,22 +97,22 @@ class Coordinates:
         if not isinstance(node, PlacedScalar):
             return self._coordinates(node, key)
         sign, letter = (-1.0, node.text[1:]) if node.text.startswith("-") else (1.0, node.text)
-        if letter in _AXES:
-            x, y, z = _AXES[letter]
+        if letter in ALONG:
+            x, y, z = ALONG[letter]
             return sign * x, sign * y, sign * z
         if match := _FROM_TO.fullmatch(node.text):
             ends = [self.point(PlacedScalar(name, node.place), key) for name in match.groups()]
             return ends[1][0] - ends[0][0], ends[1][1] - ends[0][1], ends[1][2] - ends[0][2]
         self.problems.add(node.place, f"{key}: '{node.text}' is no direction", "write x, -y, [1, 0, 1], or A to B")
-        return _AXES["z"]
+        return ALONG["z"]
 
     def _coordinates(self, node: PlacedNode, key: str) -> Vector:
-        example = "[x, y]" if self.dimensions < len(_AXES) else "[x, y, z]"
+        example = "[x, y]" if self.dimensions < len(ALONG) else "[x, y, z]"
         is_round = isinstance(node, PlacedScalar) and node.text.startswith("(")
         items = self.problems.sequence(node, key, "" if is_round else example, count=self.dimensions)
-        if items and not self.dimensions <= len(items) <= len(_AXES):
-            wanted = "two coordinates" if self.dimensions < len(_AXES) else "three coordinates"
-            hint = "write [x, y]" if self.dimensions < len(_AXES) else "write [x, y, z]"
+        if items and not self.dimensions <= len(items) <= len(ALONG):
+            wanted = "two coordinates" if self.dimensions < len(ALONG) else "three coordinates"
+            hint = "write [x, y]" if self.dimensions < len(ALONG) else "write [x, y, z]"
             self.problems.add(node.place, f"{key}: {wanted} are wanted, not {len(items)}", hint)
             return (0.0, 0.0, 0.0)
         found = [self.number(scalar, key) for item in items if (scalar := self.problems.scalar(item, key)) is not None]

@@ -11,7 +11,7 @@ from dhcli.notation.brackets import STEPS
 from dhcli.regex import regex
 from dhcli.safe import yaml_scalar
 
-_ENDS_IN_NUMBER = regex(r"[0-9]+,\Z")
+_ENDS_IN_NUMBER = regex(r"(?<![.\w])[0-9]+,\Z")
 
 
 def is_piece(text: str, place: Place) -> bool:

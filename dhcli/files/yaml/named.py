@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from dhcli.errors import DhcliError, Place
-from dhcli.files.library.lookup import Kind, is_path
+from dhcli.files.library.lookup import Kind, find, is_path
 from dhcli.files.yaml.fields import Problems
 from dhcli.files.yaml.placed import PlacedScalar
 from dhcli.files.yaml.robots import load_robot
@@ -40,7 +40,12 @@ class Named:
         """The robot that stands under a key; None if there is none, which is told."""
         if scalar is None:
             return None
-        return self._found(key, scalar.place, lambda: load_robot(self._meant(scalar.text, Kind.ROBOTS)))
+        name = scalar.text
+        if called := self._elsewhere(name, Kind.ROBOTS):
+            message = f"{key}: there is no file {name} here, where this file stands"
+            self.problems.add(scalar.place, message, f"write {called}: a name is looked for among all robots")
+            name = called
+        return self._found(key, scalar.place, lambda: load_robot(self._meant(name, Kind.ROBOTS)))
 
     def linkage(self, key: str, place: Place, name: str) -> Linkage | Counts | None:
         """The linkage of a name, a path or a pattern; None if there is none, which is told."""
@@ -67,3 +72,15 @@ class Named:
                 where = f"{problem.place}: " if problem.place is not None else ""
                 self.problems.add(place, f"{key}: {where}{problem.message}", problem.hint)
             return None
+
+    def _elsewhere(self, name: str, kind: Kind) -> str:
+        """The name by which a file is found whose path leads nowhere from here; empty if it does, or none is found."""
+        stem = Path(name).stem
+        if name == "-" or not is_path(kind, name) or (self.folder / name).is_file():
+            return ""
+        try:
+            if not isinstance(self._meant(stem, kind), Path):
+                find(kind, stem)
+        except DhcliError:
+            return ""
+        return stem

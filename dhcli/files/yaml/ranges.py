@@ -28,6 +28,8 @@ _BARE = regex(
     rf"\s*(?P<low>{_PLAIN.pattern})\s*\.\.\s*(?P<high>{_PLAIN.pattern})(?:\s+step\s+(?P<step>{_PLAIN.pattern}))?\s*"
 )
 """A range of plain numbers, with its step or without."""
+_ENDS = regex(r"(-?[0-9]{1,3})(?:°| ?deg)?\s*(?:\.\.+|…|to|-|–)\s*(-?[0-9]{1,3})(?:°| ?deg)?")  # noqa: RUF001  a dash
+"""Two whole numbers of degrees in other words than those of a range."""
 _SAME = {"deg": "°", "degree": "°", "degrees": "°", "radian": "rad", "radians": "rad", "inch": "in"}
 
 
@@ -76,6 +78,8 @@ def read_range(problems: Problems, node: PlacedNode, key: str, *, is_angle: bool
     low, high, more = written.low, written.high, written.more
     if len(scalar.text) > LONGEST or high is None or more is None or not (low.text and high.text and more.text):
         example = "20°..70° step 5°" if is_angle else "100 mm..200 mm step 10 mm"
+        if is_angle and (ends := _ENDS.fullmatch(scalar.text.strip())):
+            example = f"{ends[1]}°..{ends[2]}° step 5°"
         problems.add(scalar.place, f"{key}: '{scalar.text:.60}' is no range", f"write {example}, or a list of values")
         return None
     stepped = written.word == "step"

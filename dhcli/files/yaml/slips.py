@@ -17,6 +17,8 @@ from dhcli.regex import regex
 from dhcli.safe import yaml_scalar
 
 _WORD = regex(r"[^\s]+")
+_PAIR = regex(r"±\s*(?P<both>[^-+±,]+)|(?P<low>[^,]+?)\s*(?:\.\.+|…| to )\s*(?P<high>[^,]+)")
+"""Two ends of a range, `±170°` or `-90°..90°`."""
 _WHOLE = regex(r"[-+]?[0-9]+")
 Entry: TypeAlias = tuple[PlacedScalar, PlacedNode]
 
@@ -81,6 +83,10 @@ def items_of(node: PlacedNode, count: int = 0, *, are_names: bool = False) -> tu
     """
     if not isinstance(node, PlacedScalar) or not node.text.strip() or "\n" in node.text:
         return (), ""
+    if count == 2 and (pair := _PAIR.fullmatch(node.text.strip())):  # noqa: PLR2004  lowest and highest
+        text = pair["both"] or ""
+        ends = (f"-{text}", text) if text else (pair["low"], pair["high"])
+        return tuple(PlacedScalar(end, node.place) for end in ends), _shown(ends, "[]")
     text, start = node.text, 0
     if text.startswith("(") and text.endswith(")"):
         text, start = text[1:-1], 1

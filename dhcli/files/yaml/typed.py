@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from dhcli.errors import NotationError
+from dhcli.files.keys.shapes import FLAGS
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.slips import node_kind
@@ -15,9 +16,12 @@ from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to
 from dhcli.notation.quarters import with_right_angles
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
+from dhcli.regex import regex
 
 MOST_DIGITS = 3
-FLAGS = {"true": True, "yes": True, "false": False, "no": False}
+_OTHER_UNIT = regex(r".*[\d)]\s*(?P<unit>(?:[cm]?m|rad|°|deg)\s*/\s*s|k?N\s*[*·]?\s*[cm]?m|k?N|k?g|s|rpm|%)\s*")
+"""A number in a unit of something else."""
+_MOVING = "velocities, rates and forces are numbers in ask:, in m/s, rad/s, N and N m"
 _MOVES = "Trans(0, 0, 0.1) Rot(z, 90°)"
 NOTHING = Scope()
 """A scope without names, for values that must be constants."""
@@ -50,7 +54,11 @@ def read_value(  # noqa: PLR0913  what may be said of a value
             return to_plain_length(with_unit(expr, unit))
         return to_angle(expr if remarks is None else taken_exactly(expr, key, remarks), bare="refuse")
     except NotationError as error:
-        problems.take(error)
+        if other := _OTHER_UNIT.fullmatch(scalar.text):
+            wanted = "an angle" if is_angle else "a length"
+            problems.add(scalar.place, f"{key}: is in {other['unit']}, {wanted} is wanted", _MOVING)
+        else:
+            problems.take(error)
     except DimensionError as error:
         problems.add(scalar.place, f"{key}: {error.message}", error.hint)
     return None

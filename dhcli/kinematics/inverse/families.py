@@ -132,6 +132,3 @@ def moved_to(  # noqa: PLR0913, PLR0917  where from, where to, and what has to s
             return None
         now = led[0]
     return now
-
-
-__all__ = ["Freedom", "freedoms", "moved_to"]

@@ -184,6 +184,3 @@ def _cost(arm: Arm, task: Task, motions: Array, goal: Array) -> tuple[Array, Arr
     ]
     slope = np.concatenate(moved, axis=2).transpose(0, 2, 1).copy()
     return 0.5 * (error**2).sum(axis=1), slope, error
-
-
-__all__ = ["nearest_reachable", "too_far", "what_never_changes"]

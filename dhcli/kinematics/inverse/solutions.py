@@ -252,6 +252,3 @@ def relation(names: tuple[str, ...], turning: NDArray[np.bool_], q: Array, rates
         degrees = float(np.degrees(total - 2 * np.pi * np.round(total / (2 * np.pi))))
         parts.append(f"{names[at]} {sign} {names[j]} = {round(degrees, 4) + 0.0:g}°")
     return ", ".join((*parts, f"any {names[at]}"))
-
-
-__all__ = ["Beyond", "Free", "Solutions", "in_numbers", "relation", "shown_beyond", "shown_value", "turning_joints"]

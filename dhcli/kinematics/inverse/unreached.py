@@ -141,6 +141,3 @@ def _parts(ready: Prepared, goal: Array, held: dict[int, float]) -> list[str]:
         count = len(found.index)
         said.append(f"{label}: {plural(count, 'solution') if count else 'not'}")
     return said
-
-
-__all__ = ["why_not"]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from dhcli.errors import Place, RobotError
 from dhcli.kinematics.frames import View
-from dhcli.kinematics.given import coordinates
+from dhcli.kinematics.given import three_coordinates
 from dhcli.kinematics.robot import Robot, Value, check_robot
 from dhcli.kinematics.sweep.plan import plan
 from dhcli.kinematics.sweep.ranges import read_over
@@ -65,11 +65,7 @@ def sweep(  # noqa: PLR0913  as many as a sweep has sides; all but the first thr
     """
     check_robot(robot)
     values = {**parameter_values(robot, parameters), **joint_values(robot, q)}
-    place = tuple(coordinates(point))
-    if len(place) != 3:  # noqa: PLR2004
-        raise RobotError(f"a point has three coordinates, not {len(place)}")
-    x, y, z = place
-    target = target_of(robot, View.of(robot, start, end, point=(x, y, z)), values)
+    target = target_of(robot, View.of(robot, start, end, point=three_coordinates(point)), values)
     overs = [read_over(robot, text, place=Place("over")) for text in _texts(over)]
     grid = plan(target, overs, values, Place("over") if overs else None)
 

@@ -14,7 +14,7 @@ from dhcli.kinematics.velocity.answers import JacobianAnswer, SingularAnswer, To
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form, part_of
 from dhcli.kinematics.velocity.jacobian import Jacobian, numeric_jacobian, textbook_jacobian
 from dhcli.kinematics.velocity.statics import Wrench, numeric_torques, products, textbook_torques
-from dhcli.kinematics.velocity.view import MotionView
+from dhcli.kinematics.velocity.view import MotionView, check_rates
 from dhcli.notation.tree import ZERO, Expr, Symbol
 from dhcli.notation.walk import operations, symbols_in
 
@@ -96,14 +96,14 @@ def answer_velocity(
     if symbolic:
         found = textbook_jacobian(robot, values, view)
         given = tuple(rates) if rates is not None else tuple(Symbol(f"d{joint}") for joint in found.joints)
-        _check_count(given, found.joints)
+        check_rates(given, found.joints)
         velocity = products(found.rows, given)
         return VelocityAnswer(robot, values, view, found.joints, given, found.labels, velocity, warnings=said)
     if rates is None:
         raise RobotError("rates of the joints, or a velocity, are wanted", "--rates 0.1,0.2 or --velocity 0.1,0,0")
     numbers = numeric_jacobian(robot, values, view)
     typed = in_numbers(rates, "a rate")
-    _check_count(typed, numbers.joints)
+    check_rates(typed, numbers.joints)
     moved = tuple(sum(a * b for a, b in zip(row, typed, strict=True)) for row in numbers.rows)
     return VelocityAnswer(robot, values, view, numbers.joints, typed, numbers.labels, moved, warnings=said)
 
@@ -195,10 +195,3 @@ def in_numbers(entries: Sequence[Expr], what: str) -> tuple[float, ...]:
     if free := sorted(symbols_in(entries)):
         raise RobotError(f"{', '.join(free)} of {what} has no value", "write numbers, or ask with --symbolic")
     return tuple(Floats().value(entry) for entry in entries)
-
-
-def _check_count(rates: Sequence[object], joints: Sequence[str]) -> None:
-    if len(rates) != len(joints):
-        raise RobotError(
-            f"{plural(len(rates), 'rate')} for {plural(len(joints), 'joint')}", f"one for each of {', '.join(joints)}"
-        )

@@ -16,7 +16,7 @@ from dhcli.kinematics.values import JointInput, Values, joint_values, parameter_
 from dhcli.kinematics.velocity.form import Form, Which, part_of
 from dhcli.kinematics.velocity.jacobian import numeric_jacobian
 from dhcli.kinematics.velocity.statics import three_numbers
-from dhcli.kinematics.velocity.view import MotionView, Viewing
+from dhcli.kinematics.velocity.view import MotionView, Viewing, check_rates
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -219,10 +219,7 @@ def moved(rows: Sequence[Sequence[float]], joints: Sequence[str], rates: Sequenc
         given = [float(rate) for rate in rates]
     except (TypeError, ValueError):
         raise RobotError(f"rates are numbers, not {rates!r:.60}") from None
-    if len(given) != len(joints):
-        raise RobotError(
-            f"{plural(len(given), 'rate')} for {plural(len(joints), 'joint')}", f"one for each of {', '.join(joints)}"
-        )
+    check_rates(given, joints)
     if not np.isfinite(given).all():
         raise RobotError("a rate is not a real number")
     return tuple(float(np.dot(row, given)) for row in rows)

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence, Sized
 from typing import TypedDict, Unpack
 
 from dhcli.algebra.sizes import SIZES
-from dhcli.errors import RobotError
+from dhcli.errors import Place, Problem, RobotError, plural
 from dhcli.frozen import frozen
-from dhcli.kinematics.forward import LONGEST, put_in
+from dhcli.kinematics.forward import put_in, refuse_long
 from dhcli.kinematics.frames import ORIGIN, Point, between, ends, frame
-from dhcli.kinematics.given import coordinates
+from dhcli.kinematics.given import three_coordinates
 from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain, Trans, inverse_of, names, substituted
 from dhcli.kinematics.robot import Robot, Value
@@ -79,6 +79,17 @@ class MotionView:
         )
 
 
+def check_rates(rates: Sized, joints: Sequence[str], place: Place | None = None) -> None:
+    """Make sure that there is a rate for each joint.
+
+    Raises:
+        RobotError: There are too many or too few.
+    """
+    if len(rates) != len(joints):
+        message = f"{plural(len(rates), 'rate')} for {plural(len(joints), 'joint')}"
+        raise RobotError(Problem(message, place, f"one for each of {', '.join(joints)}"))
+
+
 def offset_of(point: Sequence[float | str] | None) -> Point:
     """A point that a person gives, in numbers [m] or names; the origin if they give none.
 
@@ -86,12 +97,7 @@ def offset_of(point: Sequence[float | str] | None) -> Point:
         RobotError: It has not three coordinates, or one is no number.
         NotationError: A text cannot be read.
     """
-    if point is None:
-        return ORIGIN
-    given = coordinates(point)
-    if len(given) != 3:  # noqa: PLR2004
-        raise RobotError(f"a point has three coordinates, not {len(given)}")
-    return given[0], given[1], given[2]
+    return ORIGIN if point is None else three_coordinates(point)
 
 
 def joints_between(robot: Robot, start: str, end: str) -> tuple[str, ...]:
@@ -232,6 +238,4 @@ def check_size(made: Iterable[Part]) -> None:
         columns = fold_columns(part.steps, len(part.joints), SIZES)
         vectors = (*columns.linear, *columns.angular)
         size += sum(1 if isinstance(entry, int) else entry.count for vector in vectors for entry in vector)
-    if size > LONGEST:
-        message = f"the result would be {size} symbols long, more than the {LONGEST} that are written"
-        raise RobotError(message, "ask for fewer frames with --from and --to, or put values in")
+    refuse_long(size)

@@ -7,10 +7,9 @@ from typing import Any
 
 from dhcli.kinematics.actuators import Actuators, total_text
 from dhcli.kinematics.robot import Robot
-from dhcli.notation.quantity import value_text
 from dhcli.render.look import Look
 from dhcli.render.text.prose import heading_text
-from dhcli.render.text.quantities import in_units
+from dhcli.render.text.quantities import in_degrees, in_units
 from dhcli.render.text.table import table_text
 
 
@@ -69,7 +68,7 @@ def _works(driven: Actuators) -> Iterator[str]:
 def _limits(robot: Robot, driven: Actuators, look: Look) -> str:
     known = {**robot.limits, **driven.limits}
     rows = [
-        [name, *map(value_text, known[name])]
+        [name, *map(in_degrees, known[name])]
         for name in dict.fromkeys((*driven.motors, *driven.joints))
         if name in known
     ]

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
+from dhcli.kinematics.entries import DIGITS, rounded
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import Values, symbols_of
 from dhcli.notation.angle import Angle
@@ -17,6 +19,13 @@ def in_units(value: Value) -> float | str:
     if isinstance(value, Angle):
         return write_angle(value, "sympy") if value.terms else value.constant()
     return float(value.value) if isinstance(value, Number) else write(value, "sympy")
+
+
+def in_degrees(value: Value) -> str:
+    """A value for people who compare it with others: an angle in degrees, however it was written, and rounded."""
+    if isinstance(value, Angle) and value.radians and not value.terms:
+        return f"{rounded(math.degrees(value.constant()), DIGITS)}°"
+    return value_text(value)
 
 
 def value_lines(robot: Robot, values: Values) -> Iterator[str]:

@@ -19,7 +19,7 @@ from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.motors import actuators_content
-from dhcli.render.text.quantities import in_units
+from dhcli.render.text.quantities import in_degrees, in_units
 from dhcli.render.text.table import Inked, table_text
 from dhcli.safe import csv_cell, latex
 
@@ -191,7 +191,7 @@ def _joints(robot: Robot, look: Look) -> str:
     rows = []
     for joint in robot.joints:
         low, high = (
-            (value_text(limit) for limit in robot.limits[joint.name]) if joint.name in robot.limits else ("", "")
+            (in_degrees(limit) for limit in robot.limits[joint.name]) if joint.name in robot.limits else ("", "")
         )
         rows.append([joint.name, low, high])
     return table_text(["limits", "from", "to"], rows, look.paper)
@@ -223,7 +223,7 @@ def _formula(robot: Robot, name: str) -> str:
 def _poses(robot: Robot, look: Look) -> str:
     if not robot.poses:
         return ""
-    rows = [[name, *map(value_text, values)] for name, values in robot.poses.items()]
+    rows = [[name, *map(in_degrees, values)] for name, values in robot.poses.items()]
     return table_text(["pose", *robot.variables], rows, look.paper)
 
 

@@ -19,6 +19,7 @@ from dhcli.notation.parser import parse
 from dhcli.notation.tree import Symbol
 from dhcli.notation.writer import write
 from tests.judging import answer_with, case_of, expected
+from tests.row_by_row import row_by_row
 
 
 @cache
@@ -125,7 +126,7 @@ def test_numbers_show_no_terms() -> None:
     assert found is None or not any(name.startswith("term-") for name in found.ids)
 
 
-@pytest.mark.parametrize("mistake", IN_ENTRY, ids=lambda mistake: mistake.id)
+@row_by_row("mistake", IN_ENTRY)
 def test_each_mistake_changes_an_entry(mistake: Mistake[TermMaker]) -> None:
     """No two ways to make it are called the same and differ."""
     scope = load_robot("planar-2r").scope

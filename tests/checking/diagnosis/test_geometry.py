@@ -17,6 +17,7 @@ from dhcli.checking.verdicts import Verdict
 from dhcli.checking.wanted import View
 from dhcli.kinematics.values import joint_values
 from tests.judging import expected
+from tests.nightly import in_turn
 
 
 def about(name: str, start: str, end: str, q: str = "") -> Exercise:
@@ -119,7 +120,7 @@ def test_a_shift_in_few_digits_has_no_name_that_it_has_not() -> None:
     exercise = replace(about("planar-2r", "0", "2", "30°, 40°"), parts=(Part("pose", question),))
     values = {name: float(exercise.values[name].value) for name in ("a1", "a2")}
     told = 0
-    for x, y in itertools.product(range(-7, 8, 2), repeat=2):
+    for x, y in in_turn([*itertools.product(range(-7, 8, 2), repeat=2)], 2, 5):  # with (0.1, 0.3), where one is told
         for words in said(exercise, f"{x / 10} {y / 10} 0"):
             if found := re.search(r"off by (\S+) m \(as much as (-?)(2?)\*?(a\d)\)", words):
                 times = (-1 if found[2] else 1) * int(found[3] or 1)

@@ -7,6 +7,7 @@ import pytest
 from dhcli.checking.judge import Judge
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.files.yaml.exercises import read_exercise
+from tests.row_by_row import row_by_row
 
 EXERCISE = """
 format: 1
@@ -33,7 +34,7 @@ def judged(answer: str) -> Mark:
     return Judge(exercise).check(exercise.parts[0], answer)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("answer", "number"),
     [
         ("2", 2),

@@ -33,6 +33,8 @@ from dhcli.kinematics.describe.normals import Lie
 from dhcli.notation.tree import ONE
 from tests.coupled import COUPLED
 from tests.judging import answer_with, checked, expected, mark, slips, solution, vary
+from tests.nightly import NIGHT, paired
+from tests.row_by_row import row_by_row
 
 LIBRARY = Path(__file__).parents[3] / "robots"
 OPEN = ("dh-link", "dh-link-modified", "assembly-blocks", *COUPLED)
@@ -80,8 +82,7 @@ def freely(sketch: Sketch, draw: random.Random) -> list[Frame]:
     return frames
 
 
-@pytest.mark.parametrize("name", ROBOTS)
-@pytest.mark.parametrize("convention", CONVENTIONS)
+@pytest.mark.parametrize(("name", "convention"), paired(ROBOTS, CONVENTIONS))
 def test_our_own_frames_are_right_and_give_the_robots_own_table(name: str, convention: Convention) -> None:
     """Of every robot, in both conventions; the table is that of the file where that has one in the convention."""
     exercise = asked(name, convention)
@@ -111,7 +112,7 @@ def test_every_other_assignment_that_keeps_the_rules_is_right_and_its_table_is_t
     sketch = sketch_of(exercise, convention, "zero")
     table = question_about_table(load_robot(name), convention)
     draw = random.Random(f"{name} {convention}")  # noqa: S311  the same frames every time
-    for _ in range(5):
+    for _ in range(5 if NIGHT else 2):
         frames = freely(sketch, draw)
         judged = checked(exercise, exercise.parts[0], frames_text(frames, exercise))
         assert judged.verdict is Verdict.RIGHT, judged
@@ -262,7 +263,7 @@ def test_frames_are_read_as_people_type_them(answer: str) -> None:
     assert told(answer).verdict is Verdict.RIGHT
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("answer", "said"),
     [
         ("0 +x +z; (a, 0, 0) +x +z", "frame 2 is missing: frames 0 to 3 are asked for"),

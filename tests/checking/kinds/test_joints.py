@@ -20,7 +20,8 @@ from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, NotationError
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.robots import load_robot
-from tests.nightly import some
+from tests.nightly import in_turn, some
+from tests.row_by_row import row_by_row
 
 PLACE = "joints of position (0.5, 0.3, 0)"
 FOLDER = Path(__file__).parents[3] / "exercises" / "inverse"
@@ -39,7 +40,7 @@ def judged(answer: str, ask: str = PLACE, robot: str = "planar-2r") -> Mark:
     return Judge(exercise).check(exercise.parts[0], answer)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "answer",
     [
         "2.4773°, 67.9757°",
@@ -98,7 +99,7 @@ def test_another_unit_of_joint_values_is_told_and_earns_its_share(answer: str, a
     assert mark.remarks[0].startswith(f"right in {unit}; ")
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "answer",
     [
         "(2.4773, 67.9757), (59.4502, -67.9757)",
@@ -278,18 +279,18 @@ def test_the_joint_values_that_made_a_pose_are_right(name: str, values: list[flo
     assert Judge(exercise).mark(exercise.parts[0], ", ".join(texts)).verdict is Verdict.RIGHT
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", in_turn(NAMES, 1, 2))
 def test_a_slip_on_the_way_back_has_its_name(name: str) -> None:
     """At least nine in ten of those that show, and no answer with a slip is right."""
     exercise = load_exercise(FOLDER / f"{name}.yaml")
     judge = Judge(exercise)
     named = total = 0
-    for part in (part for part in exercise.parts if isinstance(part.question, BACK)):
-        for slip in some([*judge.slips(part)], 6):
-            mark = judge.check(part, judge.answer_with(part, slip.name))
-            assert mark.verdict is not Verdict.RIGHT, (part.id, slip.name)
-            total += 1
-            named += mark.diagnosis is not None and slip.name in mark.diagnosis.ids
+    parts = [part for part in exercise.parts if isinstance(part.question, BACK)]
+    for part, slip in some([(one, slip) for one in parts for slip in judge.slips(one)], 6):
+        mark = judge.check(part, judge.answer_with(part, slip.name))
+        assert mark.verdict is not Verdict.RIGHT, (part.id, slip.name)
+        total += 1
+        named += mark.diagnosis is not None and slip.name in mark.diagnosis.ids
     assert named >= 0.9 * total, (named, total)
     assert total or name in {"planar-reach", "wrist-centre", "puma560-motor-angles"}
 

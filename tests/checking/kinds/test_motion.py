@@ -21,6 +21,7 @@ from dhcli.kinematics.values import joint_values
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.parser import parse
 from tests.nightly import in_turn
+from tests.row_by_row import row_by_row
 
 if TYPE_CHECKING:
     from dhcli.checking.exercise import Exercise, Part
@@ -211,7 +212,7 @@ def test_a_slip_is_named_by_the_answer_it_leads_to(robot: str, ask: str, slip: s
         assert mark.diagnosis.ids == (slip,)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("ask", "problem"),
     [
         ("jacobian of 3..0", "frame 0 does not move against frame 3"),
@@ -328,7 +329,7 @@ def test_units_of_rates_and_forces_may_stand_behind_numbers(ask: str, answer: st
     assert mark.verdict is Verdict.RIGHT, mark
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("robot", "ask", "answer", "said"),
     [
         ("planar-2r", "torques for (0, 10, 0) of 0..2", "4.4867 N, 0.8025 N", "number 1 is in N; N m is wanted"),

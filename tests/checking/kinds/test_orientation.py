@@ -18,6 +18,7 @@ from dhcli.files.yaml.robots import load_robot
 from dhcli.geometry.euler import AXES
 from dhcli.kinematics.forward import forward
 from dhcli.notation.angle import Angle
+from tests.row_by_row import row_by_row
 
 Q = (10, 20, 30, 40, 50, 60)
 ORDERS = tuple(f"{kind} {axes}" for kind in ("euler", "fixed") for axes in AXES)
@@ -37,7 +38,7 @@ def judged(form: str, answer: str, q: tuple[float, ...] = Q) -> Mark:
     return Judge(exercise).check(exercise.parts[0], answer)
 
 
-@pytest.mark.parametrize("form", FORMS)
+@row_by_row("form", FORMS)
 def test_its_own_solution_is_right(form: str) -> None:
     """In every form."""
     exercise = asked(form)
@@ -45,7 +46,7 @@ def test_its_own_solution_is_right(form: str) -> None:
     assert judge.check(part, judge.expected(part)).verdict is Verdict.RIGHT
 
 
-@pytest.mark.parametrize("form", FORMS)
+@row_by_row("form", FORMS)
 def test_every_slip_is_wrong_and_has_its_name(form: str) -> None:
     """A slip that gives what another gives shares its name."""
     exercise = asked(form)
@@ -150,7 +151,7 @@ def test_an_orientation_in_an_exercise_in_letters_says_that_it_is_in_numbers() -
         Judge(exercise).expected(exercise.parts[0])
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("ask", "answer"),
     [
         ("quaternion of rotation from Rot([0, 0, 1], 60°)", answer)

@@ -16,12 +16,13 @@ from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import joint_values
 from tests.checking.mutated_kinds import exercise_of, written
 from tests.judging import checked, expected, mark
+from tests.row_by_row import row_by_row
 
 RIGHT, CLOSE, WRONG, UNREAD = Verdict.RIGHT, Verdict.CLOSE, Verdict.WRONG, Verdict.CANNOT_READ
 
 
-@pytest.mark.parametrize("ask", ["scalar atan2(a2, a1)", "scalar acos(a1/sqrt(a1^2 + a2^2))"])
-@pytest.mark.parametrize(
+@row_by_row("ask", ["scalar atan2(a2, a1)", "scalar acos(a1/sqrt(a1^2 + a2^2))"])
+@row_by_row(
     ("answer", "verdict"),
     [
         ("36.87", RIGHT),

@@ -26,7 +26,8 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Symbol, number
 from tests.checking.tables.robots_with_tables import NAMES, Move, keeping, mutations, robot, rows_of
 from tests.judging import answer_with, slips
-from tests.nightly import NIGHT, some
+from tests.nightly import NIGHT, in_turn
+from tests.row_by_row import row_by_row
 
 MODIFIED, STANDARD = Convention.MODIFIED, Convention.STANDARD
 
@@ -107,7 +108,7 @@ SPELLINGS = {
 }
 
 
-@pytest.mark.parametrize("spelling", SPELLINGS)
+@row_by_row("spelling", SPELLINGS)
 def test_every_spelling_of_the_right_table_is_right(spelling: str) -> None:
     """One table in all the ways in which it is typed or pasted."""
     mark = marked("puma560", SPELLINGS[spelling])
@@ -116,7 +117,7 @@ def test_every_spelling_of_the_right_table_is_right(spelling: str) -> None:
     assert mark.earned == 1.0
 
 
-@pytest.mark.parametrize("name", NAMES)
+@row_by_row("name", NAMES)
 def test_what_is_shown_as_right_is_read_and_right(name: str) -> None:
     """The expected answer can be pasted back."""
     task = exercise(name)
@@ -150,7 +151,7 @@ def test_a_single_row_of_letters_is_a_row_and_not_its_heads() -> None:
     assert marked("dh-link", "0 alpha_i d_i theta_i").verdict is Verdict.WRONG
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "said"),
     [
         (changed(PUMA, "-90  0   0   θ2", "-90  0   0"), "row 2 has 3 cells"),
@@ -367,7 +368,7 @@ def test_the_row_that_holds_a_slip_is_among_those_to_look_at(name: str) -> None:
     """In standard DH the axis of joint k + 1 is placed by row k, in modified by row k + 1."""
     task = question_about_table(robot(name), robot(name).convention)
     seen = 0
-    for slip in some(slips(task, task.parts[0]), 3):
+    for slip in in_turn(slips(task, task.parts[0]), 1, 5):
         mark = check(task, "table", answer_with(task, task.parts[0], slip.name))
         row = slip.name.partition(" ")[2]
         if slip.name.startswith("thetas-swapped"):

@@ -10,11 +10,12 @@ from hypothesis import strategies as st
 from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.made import question_about_table
 from dhcli.checking.tables.cells import dh_table_text
-from dhcli.checking.tables.reasons import OTHERS
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.kinematics.conventions import NAMES as CONVENTIONS
+from dhcli.kinematics.conventions import OTHER
 from tests.checking.tables.robots_with_tables import NAMES, Rows, invariants, mutations, robot, rows_of
 from tests.nightly import examples
+from tests.row_by_row import row_by_row
 
 WITH_JOINTS = tuple(name for name in NAMES if len(robot(name).variables) > 1)
 
@@ -22,18 +23,18 @@ WITH_JOINTS = tuple(name for name in NAMES if len(robot(name).variables) > 1)
 def relabelled(name: str, rows: Rows | None = None) -> Mark:
     """The judgement of a robot's own rows, or of others, under the other convention, with the slip behind it."""
     arm = robot(name)
-    exercise = question_about_table(arm, OTHERS[arm.convention])
+    exercise = question_about_table(arm, OTHER[arm.convention])
     text = dh_table_text(rows or rows_of(name), arm.columns, arm.writing)
     return Judge(exercise).check(exercise.parts[0], text)
 
 
-@pytest.mark.parametrize("name", WITH_JOINTS)
+@row_by_row("name", WITH_JOINTS)
 def test_a_robots_own_rows_under_the_other_convention_are_recognised(name: str) -> None:
     """A last row with a length, or with a twist, is no reason to look for slips in its cells."""
     mark, arm = relabelled(name), robot(name)
     if mark.verdict.passed:  # all its twists and lengths lie where both conventions agree
         return
-    other = OTHERS[arm.convention]
+    other = OTHER[arm.convention]
     assert mark.remarks[0] == f"right for {CONVENTIONS[arm.convention]}; this exercise uses {other.value}"
     assert mark.diagnosis is not None
     assert mark.diagnosis.ids == ("convention",)
@@ -59,4 +60,4 @@ def test_a_table_with_a_slip_is_called_right_elsewhere_only_if_its_axes_are(name
     if mark.remarks and mark.remarks[0].startswith("right for"):
         point = {n: 0.3 + 0.1 * k for k, n in enumerate((*arm.parameters, "b9"))}
         right = invariants(rows_of(name), arm.convention, arm.variables, point)
-        assert np.allclose(right, invariants(rows, OTHERS[arm.convention], arm.variables, point), atol=1e-5)
+        assert np.allclose(right, invariants(rows, OTHER[arm.convention], arm.variables, point), atol=1e-5)

@@ -204,7 +204,7 @@ def test_a_slip_that_is_accepted_has_kept_the_motion(name: str) -> None:
     """Each slip in each table: accepted only with a proof, and never if two axes have moved."""
     convention, variables, rows = robot(name).convention, robot(name).variables, rows_of(name)
     truth = arm(rows, convention, variables)
-    for slip, other in some([*mutations(rows, variables)], 7):
+    for slip, other in some([*mutations(rows, variables)], 14):
         outcome = same_robot(truth, arm(other, convention, variables))
         point = {**floats(outcome.point), "b9": 0.777}
         if outcome.verdict is Verdict.RIGHT:

@@ -13,6 +13,7 @@ from dhcli.checking.kinds.made import question_about_table
 from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.kinematics.conventions import COLUMNS, Convention
+from tests.row_by_row import row_by_row
 
 ROOT = Path(__file__).parents[3] / "exercises"
 WITH_TABLES = sorted(
@@ -41,8 +42,8 @@ def test_many_exercises_ask_for_a_table() -> None:
     assert len(WITH_TABLES) >= 15
 
 
-@pytest.mark.parametrize("nothing", ["sqrt(-1)", "acos(2)"])
-@pytest.mark.parametrize("name", WITH_TABLES)
+@row_by_row("nothing", ["sqrt(-1)", "acos(2)"])
+@row_by_row("name", WITH_TABLES)
 def test_lengths_that_are_no_numbers_are_not_read(name: str, nothing: str) -> None:
     """In every constant length of the table; it earned the full credit once."""
     exercise, part, cells = table_of(name)

@@ -21,6 +21,8 @@ from dhcli.kinematics.robot import Robot
 from dhcli.render.look import Look
 from dhcli.render.text.robot import robot_csv
 from tests.coupled import COUPLED
+from tests.nightly import in_turn
+from tests.row_by_row import row_by_row
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -142,7 +144,7 @@ def test_links_come_in_the_order_in_which_the_robot_names_them_and_their_unit_ca
     assert gap(robot, [0.4, 0.7], standard(0.4, 0, 0.3, 0) @ standard(0.7, 0, 0.2, 0)) < 1e-15
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "said"),
     [
         ("L = Link('d', q, 'alpha', zz(3))", "zz(...) is not read"),
@@ -213,6 +215,52 @@ def test_tables_come_between_any_signs(text: str) -> None:
     assert gap(robot, [0.3, 0.5], standard(0.3, 0, 0.4, math.pi / 2) @ standard(0.5, 0, 0.3, 0)) < 1e-15
 
 
+@pytest.mark.parametrize("first", ["1", "0", "Gelenk 1", "0-1", "L1"])
+@pytest.mark.parametrize(
+    ("head", "sign"),
+    [("Gelenk", " | "), ("Gelenk (i)", " | "), ("", "| "), ("Segment", "\t"), ("", "\t"), ("i", ", "), ("", ",")],
+)
+def test_numbers_of_rows_stand_under_any_head_or_none(first: str, head: str, sign: str) -> None:
+    """They say nothing of the arm."""
+    second = first.replace("1", "2").replace("0", "1")
+    rows = [(first, "0.4", "90°", "0", "q1"), (second, "0.3", "0", "0", "q2")]
+    text = "\n".join(sign.join(row) for row in ((head, "a", "alpha", "d", "theta"), *rows))
+    robot = imported(text, convention="standard")
+    assert gap(robot, [0.3, 0.5], standard(0.3, 0, 0.4, math.pi / 2) @ standard(0.5, 0, 0.3, 0)) < 1e-15
+
+
+@pytest.mark.parametrize("head", ["Segment ", "link ", "  "])
+def test_numbers_of_rows_stand_between_blanks_too(head: str) -> None:
+    """As a table looks that was copied from a page; a line of prose with the same words is none."""
+    prose = "Columns a alpha d theta\nof the arm\n"
+    robot = imported(f"{prose}{head}a alpha d theta\n1 0.4 90° 0 q1\n2 0.3 0 0 q2\n", convention="standard")
+    assert gap(robot, [0.3, 0.5], standard(0.3, 0, 0.4, math.pi / 2) @ standard(0.5, 0, 0.3, 0)) < 1e-15
+
+
+@pytest.mark.parametrize("texts", [("1", "3"), ("2", "3"), ("5", "5"), ("a", "b")])
+def test_other_numbers_under_a_head_that_is_not_known_are_told(texts: tuple[str, str]) -> None:
+    """They may be what somebody has mistyped."""
+    rows = "".join(f"{text},1,0,0,q{i}\n" for i, text in enumerate(texts, 1))
+    with pytest.raises(FileError, match=r"x:1:1: mass is no column"):
+        imported(f"mass,a,alpha,d,theta\n{rows}", convention="standard")
+
+
+@pytest.mark.parametrize("ends", [("", ""), ("\\hline ", ""), ("  ", "[2pt]  \\hline")])
+@pytest.mark.parametrize("dollar", ["", "$"])
+def test_a_table_in_latex_is_read(ends: tuple[str, str], dollar: str) -> None:
+    """With what stands around it, rules and spaces among the rows, and formulas in dollars."""
+    before, after = ends
+    heads = " & ".join(("Link", *(f"{dollar}{head}{dollar}" for head in (r"a_i", r"\alpha_i", "d_i", r"\theta_i"))))
+    rows = [("1", "0.4", r"\frac{\pi}{2}", "0", r"\theta_1"), ("2", "0.3", r"0^{\circ}", "0", r"\theta_2")]
+    cells = [" & ".join((row[0], *(f"{dollar}{cell}{dollar}" for cell in row[1:]))) for row in rows]
+    lines = [r"\begin{tabular}{c|cccc}", r"\toprule", heads + r" \\ \hline", r"\midrule"]
+    lines += [f"{before}{line} \\\\{after}" for line in cells]
+    text = "\n".join(["We see & know.", *lines, r"\bottomrule", r"\end{tabular}", "more & more"])
+    robot = imported(text)
+    assert robot.convention is Convention.STANDARD
+    assert gap(robot, [0.3, 0.5], standard(0.3, 0, 0.4, math.pi / 2) @ standard(0.5, 0, 0.3, 0)) < 1e-15
+
+
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_a_fifth_column_makes_a_calibrated_arm(convention: str) -> None:
     """A turn about y behind a standard row, and in front of a modified one."""
@@ -236,7 +284,7 @@ def test_rows_of_numbers_get_the_joints_that_are_said() -> None:
     assert gap(bare, [0.3, 0.5], standard(0.3 + math.pi / 2, 0, 1, 0) @ shift(1, 0, 0.8)) < 1e-15
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "wish", "said"),
     [
         ("a,alpha,d,theta\n1,0,0,q1\n", {}, "does not say which convention"),
@@ -310,7 +358,7 @@ def test_a_urdf_is_written_as_products_or_as_a_table() -> None:
     assert gap(table, q, forward(products, q).matrix, start="base", end="tool") < 1e-14
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "form"),
     [
         ("<?xml version='1.0'?><robot name='x'/>", Form.URDF),
@@ -342,7 +390,7 @@ def test_looking_at_a_file_takes_no_longer_than_its_length() -> None:
 def test_every_file_of_the_library_is_one_of_dhclis_own() -> None:
     """None is taken for something else."""
     root = Path(__file__).parents[3]
-    for path in (*root.glob("robots/**/*.yaml"), *root.glob("exercises/**/*.yaml")):
+    for path in in_turn([*root.glob("robots/**/*.yaml"), *root.glob("exercises/**/*.yaml")], 0, 3):
         assert form_of(path.read_text("utf-8")) in (None, Form.TABLE, Form.LISTING)
 
 

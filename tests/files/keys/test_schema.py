@@ -19,6 +19,7 @@ from dhcli.files.keys.shapes import names
 from dhcli.files.yaml.exercises import read_exercise
 from dhcli.files.yaml.linkages import read_linkage
 from dhcli.files.yaml.robots import read_robot
+from tests.row_by_row import row_by_row
 
 ROOT = Path(__file__).parents[3]
 FILES = [
@@ -52,7 +53,7 @@ def faults(kind: str, text: str) -> list[str]:
     return [error.message for error in validator(kind).iter_errors(content(text))]
 
 
-@pytest.mark.parametrize(("kind", "path"), FILES, ids=lambda value: value.stem if isinstance(value, Path) else value)
+@row_by_row(("kind", "path"), FILES)
 def test_a_file_of_the_library_is_right_by_its_schema(kind: str, path: Path) -> None:
     """And a file of one kind is none of another."""
     text = path.read_text("utf-8")
@@ -188,7 +189,7 @@ SLIPS = [
 ]
 
 
-@pytest.mark.parametrize(("kind", "old", "new"), SLIPS, ids=[f"{old} -> {new}" for _, old, new in SLIPS])
+@row_by_row(("kind", "old", "new"), SLIPS)
 def test_a_mistake_of_each_class_is_marked_and_refused(kind: str, old: str, new: str) -> None:
     """By the editor first, and by dhcli all the same."""
     assert TEXTS[kind].count(old) >= 1

@@ -10,6 +10,7 @@ import pytest
 from dhcli.errors import UnknownNameError
 from dhcli.files.library import lookup
 from dhcli.files.library.lookup import Entry, Kind, entries, find
+from tests.row_by_row import row_by_row
 
 
 @pytest.fixture(autouse=True)
@@ -167,8 +168,8 @@ def test_an_installation_without_data_lists_nothing(home: Path, monkeypatch: pyt
     assert hint_for(Kind.ROBOTS, "scara") == "dhcli list robots shows what there is"
 
 
-@pytest.mark.parametrize("kind", Kind)
-@pytest.mark.parametrize("path", ["-", "scara.yaml", "a.yml", "A.YAML", "./scara", "/etc/scara", "../x/scara", "a/b/c"])
+@row_by_row("kind", Kind)
+@row_by_row("path", ["-", "scara.yaml", "a.yml", "A.YAML", "./scara", "/etc/scara", "../x/scara", "a/b/c"])
 def test_a_text_that_looks_like_a_path_is_one(kind: Kind, path: str) -> None:
     """Whether it exists is for the reader to say."""
     assert find(kind, path) == Path(path)

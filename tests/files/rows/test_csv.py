@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from dhcli.errors import FileError
 from dhcli.files.rows.csvrows import CsvRows
 from tests.files.rows.tables import bad, read, rows
+from tests.row_by_row import row_by_row
 
 pytestmark = pytest.mark.usefixtures("json_by")
 
@@ -21,7 +22,7 @@ ROW = [0.1, 0.2, 0.3]
 finite = st.floats(allow_nan=False, allow_infinity=False, width=64)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "content",
     [
         "theta1,theta2,d3\n0.1,0.2,0.3\n",
@@ -43,7 +44,7 @@ finite = st.floats(allow_nan=False, allow_infinity=False, width=64)
         "0.1 0.2 0.3\n",
     ],
 )
-@pytest.mark.parametrize("drops", [False, True])
+@row_by_row("drops", [False, True])
 def test_a_table_is_read_however_it_is_spelled(content: str, drops: bool) -> None:
     """In any order, under any name of a joint, in one piece or in drops."""
     assert read(content, drops=drops).tolist() == [ROW]
@@ -77,7 +78,7 @@ def test_nothing_at_all_is_no_table(content: str) -> None:
         read(content)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("header", "said"),
     [
         (
@@ -126,7 +127,7 @@ def test_everything_wrong_with_a_header_is_told_at_once(header: str, said: list[
     assert [str(problem) for problem in caught.value.problems] == said
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("row", "said"),
     [
         ("0.1,abc,0.3", ["q.csv:3:5: theta2 'abc' is not a number (a cell is a plain number, such as -0.25 or 1e-3)"]),
@@ -164,9 +165,9 @@ def test_a_bad_cell_is_named_by_line_column_and_joint(row: str, said: list[str])
     assert read(content).tolist() == [[1, 2, 3], [4, 5, 6]]
 
 
-@pytest.mark.parametrize("separator", [";", "\t"])
-@pytest.mark.parametrize("header", ["", "theta1;theta2;d3\n"])
-@pytest.mark.parametrize("last", ["", "x;0,2;0,3\n"])
+@row_by_row("separator", [";", "\t"])
+@row_by_row("header", ["", "theta1;theta2;d3\n"])
+@row_by_row("last", ["", "x;0,2;0,3\n"])
 def test_decimal_commas_are_read_where_no_comma_stands_between_cells(separator: str, header: str, last: str) -> None:
     """As spreadsheets write them in half of Europe; at once and cell by cell."""
     content = f"{header}0,1;0,2;,3\n-1;2,;3,5e-1\n{last}".replace(";", separator)
@@ -201,7 +202,7 @@ def test_the_cell_that_is_unlike_the_others_is_the_wrong_one(row: str, said: str
     assert bad(f"{around}{row}\n{around}") == [said]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("header", "row", "said"),
     [
         ("theta1,theta2,d3", "0.5;0.2;0.1", "has semicolons between its cells, and the first line has commas"),
@@ -269,7 +270,7 @@ def test_a_first_line_without_a_joint_is_told_as_one(content: str) -> None:
     ]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "content",
     [
         "# of Monday, run 3\n#\ntheta1,theta2,d3\n0.1,0.2,0.3\n# the end\n",
@@ -282,7 +283,7 @@ def test_a_first_line_without_a_joint_is_told_as_one(content: str) -> None:
         "Q1,Q2,Q3\n0.1,0.2,0.3\n",
     ],
 )
-@pytest.mark.parametrize("last", ["", "x,y,z\n"])
+@row_by_row("last", ["", "x,y,z\n"])
 def test_what_programs_write_around_a_table_is_no_part_of_it(content: str, last: str) -> None:
     """Comments, the separator by its name, one more of it in each line, capital letters."""
     assert read(content + last).tolist() == [ROW]
@@ -387,7 +388,7 @@ def test_a_block_is_read_at_once_only_as_it_would_be_line_by_line(separator: str
     assert (quick.bad, quick.bad_rows) == (careful.bad, careful.bad_rows)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("content", "said"),
     [
         ("théta1,theta2,d3\n".encode("latin-1"), "q.csv:1:3: is not UTF-8: byte 3 is 0xE9"),

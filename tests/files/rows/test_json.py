@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from dhcli.errors import FileError
 from dhcli.files.rows.jsonrows import JsonRows
 from tests.files.rows.tables import bad, read, rows
+from tests.row_by_row import row_by_row
 
 pytestmark = pytest.mark.usefixtures("json_by")
 
@@ -27,7 +28,7 @@ json_values = st.recursive(
 )
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "content",
     [
         '{"theta1": 0.1, "theta2": 0.2, "d3": 0.3}\n',
@@ -39,7 +40,7 @@ json_values = st.recursive(
         "\n" * 100 + "[0.1, 0.2, 0.3]\n",
     ],
 )
-@pytest.mark.parametrize("drops", [False, True])
+@row_by_row("drops", [False, True])
 def test_a_row_is_read_however_it_is_spelled(content: str, drops: bool) -> None:
     """In any order, under any name of a joint."""
     assert read(content, drops=drops) == pytest.approx(np.array([[0.1, 0.2, 0.3]]), rel=1e-15)
@@ -57,7 +58,7 @@ def test_no_rows_are_no_error_where_the_name_says_json() -> None:
     assert len(read("", path="q.jsonl")) == 0
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("row", "said"),
     [
         ("[1, 2]", "q.csv:2: 2 numbers where scara has 3 joints"),
@@ -101,7 +102,7 @@ def test_an_object_without_names_has_none_of_the_joints() -> None:
     assert bad("{}\n") == ["q.csv:1: no column for theta1, theta2, d3 (wanted: theta1[rad], theta2[rad], d3[m])"]
 
 
-@pytest.mark.parametrize("row", ["[[1, 2, 3], [4, 5, 6]]", "[1, 2, 3],", "[1, 2, 3", "{}x", "[" * 5000, '{"a":', "7"])
+@row_by_row("row", ["[[1, 2, 3], [4, 5, 6]]", "[1, 2, 3],", "[1, 2, 3", "{}x", "[" * 5000, '{"a":', "7"])
 def test_what_is_no_row_is_told_with_what_one_looks_like(row: str) -> None:
     """A list over several lines, for one."""
     [said] = bad(f"[1,2,3]\n{row}\n")

@@ -9,6 +9,7 @@ import pytest
 from dhcli.errors import FileError
 from dhcli.files.rows.npy import NpyWriter
 from tests.files.rows.tables import read, rows, saved
+from tests.row_by_row import row_by_row
 
 
 class Pipe(io.BytesIO):
@@ -111,7 +112,7 @@ def test_numbers_that_are_not_finite_are_named_as_numpy_counts() -> None:
     assert block.values.tolist() == Q[[0, 2, 4]].tolist()
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("content", "said"),
     [
         (saved(Q[:, :2]), "has the shape (5, 2), and scara has 3 joints: (N, 3) is wanted"),

@@ -24,6 +24,7 @@ from dhcli.geometry.many import table
 from dhcli.kinematics.placement import ORIENTATIONS
 from dhcli.kinematics.pose import Pose
 from tests.files.rows.tables import saved
+from tests.row_by_row import row_by_row
 
 pytestmark = pytest.mark.usefixtures("json_by")
 
@@ -127,7 +128,7 @@ def test_a_row_is_told_by_its_line_in_any_block() -> None:
     ]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("line", "said"),
     [
         ('{"position": [1, 2, true]}', "p_z is true, not a number"),
@@ -151,7 +152,7 @@ def test_a_value_that_is_no_number_is_told_wherever_it_stands(line: str, said: s
 ROWS = [[0.5, 0.25, -3.0], [1e-3, 7.0, 0.0]]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "text",
     [
         "p_x;p_y;p_z\n0,5;0,25;-3\n1e-3;7;0\n",
@@ -174,7 +175,7 @@ def test_a_comma_beside_a_point_is_not_taken_for_a_decimal_one() -> None:
     assert bad == ["standard input:4:1: p_x '1,234' is not a number (write 1.234, with a point)"]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("content", "path", "said"),
     [
         ("p_x\tp_y\tp_z\n1\t2\t3\n".encode("utf-16"), "p.csv", "p.csv: is written in UTF-16"),
@@ -220,7 +221,7 @@ def test_an_orientation_without_a_direction_is_a_bad_row(form: str) -> None:
         assert bad == [f"standard input:3: {', '.join(heads)} are all 0: that is no {form}"]
 
 
-@pytest.mark.parametrize("form", TURNS)
+@row_by_row("form", TURNS)
 def test_columns_of_orientations_are_the_rotations_that_fk_says(form: str) -> None:
     """Many at once, by the formulas for one."""
     rotation = EulerAngles(Order("zyx"), (0.3, -0.4, 0.5)).rotation()

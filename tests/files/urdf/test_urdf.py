@@ -21,6 +21,8 @@ from dhcli.kinematics.forward import forward
 from dhcli.kinematics.inverse.asked import inverse
 from dhcli.kinematics.robot import Robot
 from tests.coupled import COUPLED
+from tests.nightly import NIGHT
+from tests.row_by_row import row_by_row
 
 DATA = Path(__file__).parents[2] / "data" / "urdf"
 THREE = (DATA / "three-joints.urdf").read_text("utf-8")
@@ -86,7 +88,7 @@ def drawn_urdf(draw: random.Random, count: int) -> str:
     return "".join([*lines, "</robot>"])
 
 
-@pytest.mark.parametrize("seed", range(25))
+@pytest.mark.parametrize("seed", range(25 if NIGHT else 10))
 def test_a_drawn_chain_moves_as_its_xml_says(seed: int) -> None:
     """To 1e-14 of its size, and as a table to 1e-12."""
     draw = random.Random(seed)  # noqa: S311  the same chains every time
@@ -128,7 +130,7 @@ def test_another_base_and_tip_are_another_chain() -> None:
     assert np.abs(forward(robot, [0.4, 0.2]).matrix - np.linalg.inv(above) @ whole).max() < 1e-4
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "degrees"),
     [
         ("1.5708", 90),
@@ -151,7 +153,7 @@ def test_only_what_was_typed_as_a_round_angle_is_taken_for_one(text: str, degree
     assert round_degrees(text) == degrees
 
 
-@pytest.mark.parametrize("name", EXPORTED)
+@row_by_row("name", EXPORTED)
 def test_a_written_urdf_moves_as_the_robot(name: str) -> None:
     """Read by dhcli and walked by numpy, base to tool."""
     robot = load_robot(name)
@@ -186,7 +188,7 @@ def with_change(old: str, new: str) -> str:
     return THREE.replace(old, new, 1)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "said"),
     [
         (THREE, "has 2 tips: which one?"),

@@ -15,6 +15,7 @@ from dhcli.kinematics.describe.proof import proved
 from dhcli.kinematics.forward import symbolic
 from tests.coupled import COUPLED
 from tests.nightly import paired
+from tests.row_by_row import row_by_row
 
 ROBOTS = sorted({path.stem for path in (Path(__file__).parents[3] / "robots").glob("*.yaml")} - {*COUPLED})
 
@@ -89,7 +90,7 @@ home: Trans(a1 + a2, 0, 0)
     assert proved(robot.chain, load_robot("planar-2r").chain, {}).kind == "exact"
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("old", "new", "said"),
     [
         ("through: (a, 0, 0)", "through: (a, 0)", "3 values are wanted, not 2"),

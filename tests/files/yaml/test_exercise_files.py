@@ -16,6 +16,7 @@ from dhcli.files.library.kinds import kind_of
 from dhcli.files.library.lookup import Kind, full_id
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.notation.angle import Angle
+from tests.row_by_row import row_by_row
 
 HEAD = "format: 1\ntitle: T\nsource: S\ntask: Do it\nrobot: planar-2r\n"
 PARTS = "parts:\n  - {id: t, ask: pose 0..2, hints: [one, two]}\n"
@@ -130,7 +131,7 @@ def test_all_mistakes_are_told_at_once_in_their_order() -> None:
         assert problem.startswith(start)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("line", "said"),
     [
         ("parts:\n  - {id: t, ask: pose 0..3}\n", "frame 3"),
@@ -271,7 +272,7 @@ def test_a_table_whose_rows_share_a_joint_is_not_asked_for_nor_its_frames() -> N
         assert any("ask: its rows share a joint" in problem for problem in problems(text))
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("ask", "hint"),
     [
         ("position of T02", "write position of pose 0..2"),
@@ -279,6 +280,18 @@ def test_a_table_whose_rows_share_a_joint_is_not_asked_for_nor_its_frames() -> N
         ("pose 0-2", "write pose 0..2"),
         ("rotation of pose 0 to 2", "write rotation of pose 0..2"),
         ("A_2", "write link 2"),
+        ("linear jacobian of 0..2", "write jacobian linear of 0..2"),
+        ("Jacobian matrix", "write jacobian"),
+        ("det J", "write determinant of jacobian"),
+        ("det(J)", "write determinant of jacobian"),
+        ("determinant of the linear Jacobian", "write determinant of jacobian linear"),
+        ("rank(J)", "write rank of jacobian"),
+        ("singularities", "write singular when"),
+        ("singularities of 0..2", "write singular when 0..2"),
+        ("linear velocity of 0..2", "write velocity of 0..2"),
+        ("number of links of bennett", "write count links bennett"),
+        ("mobility of the bennett", "write count mobility bennett"),
+        ("degrees of freedom of bennett", "write count mobility bennett"),
         ("inverse of link A2", "write inverse of link 2"),
         ("entry (1,2) of pose 0..2", "write entry 1 2 of pose 0..2"),
         ("entry 12 of T02", "write entry 1 2 of pose 0..2"),

@@ -147,3 +147,14 @@ def test_a_home_that_is_not_expanded_is_told_with_what_to_write(text: str, monke
     assert "~ stays as it is here, write /home/me/" in only
     (only,) = told(put("course/task.yaml", text.replace("~/", "$HOME/")))
     assert "/home/me" not in only
+
+
+def test_a_path_that_begins_in_the_course_is_told_with_the_name_that_is_found() -> None:
+    """A path begins at the folder of the file; the robot is read all the same, and nothing follows."""
+    put("robots/arm.yaml", ARM)
+    path = put("exercises/course/task.yaml", TASK.replace("ROBOT", "robots/arm.yaml"))
+    with pytest.raises(FileError) as caught:
+        load_exercise(path)
+    (problem,) = caught.value.problems
+    assert problem.message == "robot: there is no file robots/arm.yaml here, where this file stands"
+    assert problem.hint.startswith("write arm:")

@@ -110,13 +110,14 @@ def test_right_angles_in_decimals_are_taken_exactly_and_said() -> None:
     arm = robot(given, "-1.570796327 rad", "poses: {up: [3.1416 rad, 0]}")
     assert arm.parameters["off"] == Angle.in_degrees(90)
     assert arm.poses["up"][0] == Angle.in_degrees(180)
-    said = list(warnings(arm, {}))
+    said = arm.remarks
+    assert list(warnings(arm, {})) == []  # no result shows it
     assert len(said) == 3
     assert said[0] == "alpha: -1.570796327 rad is taken as -90°, which it is to its digits (exact: false keeps it)"
     assert "1.57" not in str(symbolic(arm).rows)
     kept = robot(given, "-1.5708 rad", "exact: false")
     assert "1.5708" in str(symbolic(kept).rows)
-    assert list(warnings(kept, {})) == []
+    assert kept.remarks == ()
 
 
 def test_a_printed_rotation_is_sharpened_unless_the_file_says_no() -> None:
@@ -132,3 +133,11 @@ def test_a_printed_rotation_is_sharpened_unless_the_file_says_no() -> None:
     assert rough[:3, :3] @ rough[:3, :3].T != pytest.approx(np.eye(3), abs=1e-4)
     with pytest.raises(FileError, match="not a unit vector"):
         robot(extra=tool.replace("0.87", "0.82"))
+
+
+@pytest.mark.parametrize("unit", ["m/s", "rad/s", "°/s", "N", "N m", "kN*mm", "kg"])
+def test_a_unit_of_something_else_is_named(unit: str) -> None:
+    """And not its letters as names that are not known."""
+    with pytest.raises(FileError) as caught:
+        robot(PARAMETERS.replace('"atan2(24 mm, 128 mm)"', f"1.5 {unit}"))
+    assert any(f"is in {unit}, a" in problem.message for problem in caught.value.problems)

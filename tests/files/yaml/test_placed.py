@@ -21,6 +21,7 @@ from dhcli.files.yaml.placed import (
     read_yaml,
 )
 from dhcli.files.yaml.syntax import explain_syntax
+from tests.row_by_row import row_by_row
 
 # Pieces that mean something to YAML, so that random texts get past its first checks.
 PIECES = (
@@ -109,7 +110,7 @@ def scalars(node: PlacedNode) -> Iterator[PlacedScalar]:
         yield from scalars(value)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "spelled",
     [
         "1e-3",
@@ -187,8 +188,8 @@ def test_a_missing_value_is_an_empty_text() -> None:
     assert value_of("title:\n") == PlacedScalar("", value_of("title:\n").place)
 
 
-@pytest.mark.parametrize("line_end", ["\n", "\r\n", "\r"])
-@pytest.mark.parametrize("mark", ["", "\ufeff"])
+@row_by_row("line_end", ["\n", "\r\n", "\r"])
+@row_by_row("mark", ["", "\ufeff"])
 def test_line_ends_and_a_byte_order_mark_change_nothing(line_end: str, mark: str) -> None:
     """Files from Windows read the same."""
     root = read_yaml(mark + "a: 1\nb: 'x\n  y'\n".replace("\n", line_end), "f")
@@ -197,7 +198,7 @@ def test_line_ends_and_a_byte_order_mark_change_nothing(line_end: str, mark: str
     ]
 
 
-@pytest.mark.parametrize("text", ["", "\n\n", "# only a comment\n", "---\n", "\ufeff", " \n"])
+@row_by_row("text", ["", "\n\n", "# only a comment\n", "---\n", "\ufeff", " \n"])
 def test_an_empty_file_is_called_empty(text: str) -> None:
     """Also one with nothing but comments."""
     assert problems_of(text) == ["robot.yaml: is empty"]
@@ -212,7 +213,7 @@ def test_every_duplicate_key_is_reported_with_the_line_of_the_first() -> None:
     ]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "problem"),
     [
         ("a: &x 1", "robot.yaml:1:4: '&x' is a YAML anchor"),
@@ -254,7 +255,7 @@ def test_all_that_is_refused_is_reported_before_a_syntax_error() -> None:
     ]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "place", "message", "hint"),
     [
         ("a:\n\tb: 1\n", "2:1", "a tab indents this line; YAML wants spaces", "two spaces"),
@@ -382,7 +383,7 @@ def test_a_decimal_comma_between_braces_is_told_as_what_it_is() -> None:
     assert [key.text for key, _ in inner.entries][-2:] == ["x", "3"]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "told", "value"),
     [
         ("{b: point (1, 2,3) of pose 0..2, c: 1}", "1:8: b: | write b: ", "point (1, 2,3) of pose 0..2"),
@@ -416,7 +417,7 @@ def test_what_a_comma_has_cut_is_read_as_it_was_meant() -> None:
     assert read_yaml("- f(1\n- 2)\n- 'g(3, 4)'\n- [':(', ':)']\n", "f", is_foreign=True)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "at", "hint"),
     [
         ("a: 1\nb:2\nc: 3\n", "2:1", "a colon and a space stand behind a key: b: 2"),

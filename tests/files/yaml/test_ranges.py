@@ -10,6 +10,7 @@ from dhcli.errors import FileError
 from dhcli.files.yaml.exercises import read_exercise
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
+from tests.row_by_row import row_by_row
 
 GIVEN = "{e: 5 mm, beta: 3°, theta1: 30°, theta2: 40°}"
 HEAD = f"format: 1\ntitle: T\nsource: S\ntask: Do it\nrobot: scara\nnumeric: true\ngiven: {GIVEN}\n"
@@ -32,7 +33,7 @@ def values(variants: str) -> list[str]:
     ]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("variants", "first", "last", "count"),
     [
         ("{theta1: 20°..70° step 5°}", "20° 0 rad", "70° 0 rad", 11),
@@ -63,7 +64,7 @@ def test_a_length_is_shown_with_its_decimals() -> None:
     assert Number(Fraction(3, 25)) in range_.values
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("variants", "column", "message"),
     [
         ("{theta9: 20°..70° step 5°}", 12, "theta9 is neither a joint nor a parameter of the robot, nor given"),
@@ -90,6 +91,7 @@ def test_a_length_is_shown_with_its_decimals() -> None:
         ("{theta1: 20°..70° n 20001}", 31, "these are 20,001 values"),
         ("{theta1: 20°..70° n}", 20, "'20°..70° n' is no range"),
         ("{theta1: 20° to 70°}", 20, "'20° to 70°' is no range (write 20°..70° step 5°, or a list of values)"),
+        ("{theta1: 10..60}", 20, "'10..60' is no range (write 10°..60° step 5°, or a list of values)"),
         ("{theta1: 20°..70°}", 20, "'20°..70°' is no range"),
         ("{theta1: []}", 20, "the list is empty"),
         ("{theta1: [20°, 20°]}", 26, "20° stands twice"),

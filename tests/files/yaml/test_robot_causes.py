@@ -65,8 +65,9 @@ def test_nothing_follows_from_a_table_that_is_missing() -> None:
         ("convention: standard", "convention: classical", "convention: 'classical' is not known", "write standard"),
         ("{a1: 300 mm}", "[a1]", "parameters: should be a mapping, is a list", "write {a1: 300 mm, a2: 0.2 m}"),
         ("300 mm", "300 Meter", "Meter is not a name that is known here", "the unit is written m"),
-        ("[0, 250 mm]", "±250 mm", "d2: should be a list, is a text", "write [0, 100 mm]"),
-        ("[-90°, 90°]", "-90°..90°", "theta4: should be a list, is a text", "write [-90°, 90°]"),
+        ("[0, 250 mm]", "±250 mm", "d2: should be a list, is a text", "write [-250 mm, 250 mm]"),
+        ("[-90°, 90°]", "-80°..90°", "theta4: should be a list, is a text", "write [-80°, 90°]"),
+        ("[-90°, 90°]", "-80° to 90°", "theta4: should be a list, is a text", "write [-80°, 90°]"),
         ("[0, 0.1, 0, 20°]", "0", "home: should be a list, is a text", "write [90°, 100 mm, 90°, 90°]"),
         (
             "[0, 0.1, 0, 20°]",

@@ -21,6 +21,7 @@ from dhcli.files.yaml.tables import read_table
 from dhcli.kinematics.conventions import Convention
 from dhcli.notation.parser import parse
 from tests.judging import mark
+from tests.row_by_row import row_by_row
 
 ROOT = Path(__file__).parents[3]
 
@@ -252,7 +253,7 @@ def test_a_sheet_says_what_is_needed_of_the_robot(name: str, line: str) -> None:
     assert line in write_sheet(load_exercise(name)).splitlines()
 
 
-@pytest.mark.parametrize("name", [entry.name for entry in entries(Kind.EXERCISES)])
+@row_by_row("name", [entry.name for entry in entries(Kind.EXERCISES)])
 def test_a_sheet_does_not_give_the_table_away_that_it_asks_for(name: str) -> None:
     """Nor what can be read off it: one of its cells, or the moves of a link."""
     exercise = load_exercise(name)

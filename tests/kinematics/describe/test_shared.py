@@ -173,7 +173,7 @@ def any_robot(draw: random.Random) -> str:
     return f"{head}\nparameters: {{a: 0.3, b: 0.2, p: 0.01}}\nlinks:\n{listed}\n"
 
 
-@pytest.mark.parametrize("seed", cases_for_nights(range(300), *range(12)))
+@pytest.mark.parametrize("seed", cases_for_nights(range(300), *range(6)))
 def test_variables_that_stand_anywhere_keep_their_motion_in_every_form_and_file(seed: int) -> None:
     """What a file cannot hold is refused in words, and nothing is written that moves otherwise."""
     draw = random.Random(seed)  # noqa: S311  the same robots every time

@@ -21,7 +21,8 @@ from dhcli.kinematics.describe.straight import straightened
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.tree import ONE, ZERO, Number
 from tests.kinematics.describe.test_tables import end_by_screws, nasty_arm
-from tests.nightly import cases_for_nights, in_turn
+from tests.nightly import NIGHT, cases_for_nights, in_turn
+from tests.row_by_row import row_by_row
 
 WITHIN = 0.02
 """The arms made by chance have neighbours that are a hundredth from parallel."""
@@ -60,7 +61,7 @@ def gaps(before: Drawing, after: Drawing, q: dict[str, float]) -> tuple[float, f
     return float(np.linalg.norm(one[:3, 3] - two[:3, 3])), angle
 
 
-@pytest.mark.parametrize("seed", cases_for_nights(range(1000), *range(30)))
+@pytest.mark.parametrize("seed", cases_for_nights(range(1000), *range(15)))
 def test_the_tip_is_never_farther_off_than_is_said(seed: int) -> None:
     """Arms of every kind at poses drawn, all turns and slides within the limits, by exponentials of their axes."""
     draw = random.Random(seed)  # noqa: S311  the same arms every time
@@ -79,7 +80,7 @@ def test_the_tip_is_never_farther_off_than_is_said(seed: int) -> None:
     assert set(told.strokes) <= {line.name for line in arm.lines if line.pitch}
 
 
-@pytest.mark.parametrize("seed", in_turn(range(40), 0, 2))
+@row_by_row("seed", in_turn(range(40), 0, 2))
 def test_no_neighbours_are_left_that_are_nearly_parallel_or_nearly_meet(seed: int) -> None:
     """They are so to the last digit, or not within the angle; and straightening once more finds nothing."""
     arm = nasty_arm(random.Random(seed))  # noqa: S311  the same arms every time
@@ -143,7 +144,7 @@ def test_a_measured_arm_gets_the_table_that_was_meant(form: str) -> None:
     assert "not the same robot" in again.notes
     draw = random.Random(4)  # noqa: S311  the same poses every time
     worst, ends = 0.0, (drawn(robot), drawn(again))
-    for _ in range(200):
+    for _ in range(200 if NIGHT else 60):
         q = {name: draw.uniform(-math.pi, math.pi) for name in robot.variables}
         tip, turn = gaps(*ends, q)
         worst = max(worst, tip)

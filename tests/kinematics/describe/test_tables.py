@@ -32,6 +32,7 @@ from dhcli.kinematics.moves import Chain
 from dhcli.notation.tree import ONE
 from tests.coupled import COUPLED
 from tests.nightly import cases_for_nights, in_turn, paired
+from tests.row_by_row import row_by_row
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -105,7 +106,7 @@ def nasty_arm(draw: random.Random) -> Drawing:
     return Drawing(tuple(lines), end)
 
 
-@pytest.mark.parametrize("seed", cases_for_nights(range(1000), *range(40)))
+@row_by_row("seed", cases_for_nights(range(1000), *range(40)))
 def test_an_arm_with_axes_as_bad_as_they_come_has_tables_that_move_as_it_does(seed: int) -> None:
     """Both tables of each arm against exponentials of its lines, to 1e-13 of its size."""
     draw = random.Random(seed)  # noqa: S311  the same arms every time
@@ -119,7 +120,7 @@ def test_an_arm_with_axes_as_bad_as_they_come_has_tables_that_move_as_it_does(se
         assert np.abs(found - expected).max() <= 1e-13 * size * len(q)
 
 
-@pytest.mark.parametrize("seed", in_turn(range(40), 0, 2))
+@row_by_row("seed", in_turn(range(40), 0, 2))
 def test_every_frame_keeps_the_rules_of_its_normal(seed: int) -> None:
     """DH2: x is perpendicular to both lines. DH3: it passes through both."""
     drawing = nasty_arm(random.Random(1000 + seed))  # noqa: S311  the same
@@ -138,7 +139,7 @@ def test_every_frame_keeps_the_rules_of_its_normal(seed: int) -> None:
             assert abs(normal @ (foot - point)) < 1e-9 * size
 
 
-@pytest.mark.parametrize("name", TABLES)
+@row_by_row("name", TABLES)
 def test_a_table_and_its_regrouped_table_are_one_motion_in_residues(name: str) -> None:
     """Standard to modified and back, whatever letters stand in it."""
     robot = load_robot(name)
@@ -160,7 +161,7 @@ def test_most_tables_need_neither_base_nor_tool_when_they_are_regrouped() -> Non
     assert (len(bare), len(found)) == (17, 23)
 
 
-@pytest.mark.parametrize(("name", "form"), paired(JOINTED, ["standard", "modified"]))
+@row_by_row(("name", "form"), paired(JOINTED, ["standard", "modified"]))
 def test_every_robot_of_the_library_is_described_in_every_form_with_its_letters(name: str, form: str) -> None:
     """Proved for all values, steps included."""
     robot = load_robot(name)
@@ -199,10 +200,8 @@ def test_more_tables_come_out_cell_for_cell_where_the_choice_of_their_author_is_
         assert found.proof.kind == "exact"
 
 
-@pytest.mark.parametrize("seed", in_turn(range(20), 0, 2))
-@pytest.mark.parametrize(
-    "choices", [Choices(next_d=True), Choices(previous_x=True), Choices(next_d=True, previous_x=True)]
-)
+@row_by_row("seed", in_turn(range(20), 0, 2))
+@row_by_row("choices", [Choices(next_d=True), Choices(previous_x=True), Choices(next_d=True, previous_x=True)])
 def test_whatever_is_chosen_the_motion_is_the_same(seed: int, choices: Choices) -> None:
     """Against exponentials of the lines; and the choice shows in the table."""
     draw = random.Random(500 + seed)  # noqa: S311  the same arms every time

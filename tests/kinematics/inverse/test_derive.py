@@ -119,8 +119,8 @@ def test_formulas_give_the_solutions_that_the_engine_gives(name: str) -> None:
 @pytest.mark.parametrize("name", ["five-axis", "five-joints"])
 def test_arms_of_five_joints_have_formulas(name: str) -> None:
     """No equation is used that says 0 = 0 in every pose of the arm; what signs lead elsewhere do so by far."""
-    robot = load_robot(str(DATA / f"{name}.yaml"))
-    derivation = derive(robot)
+    derivation = derived(str(DATA / f"{name}.yaml"))
+    robot = derivation.robot
     lengths, chain = numbers(parameter_values(robot, {})), between(robot, derivation.start, derivation.end)
     assert shown(derivation)["theta1"].endswith("(+ 180°)")
     assert derivation.strangers is (name == "five-joints")
@@ -169,7 +169,7 @@ def test_an_offset_in_radians_is_an_angle_and_no_arc_of_its_cosine() -> None:
 
 def test_a_hand_that_hangs_down_leaves_the_first_joint_its_formula() -> None:
     """theta1 of a five-axis arm comes from where the hand is, not from where it points."""
-    derivation = derive(load_robot(str(DATA / "five-axis.yaml")))
+    derivation = derived(str(DATA / "five-axis.yaml"))
     assert shown(derivation)["theta1"] == "RATIO: atan2(py, px) (+ 180°)"
 
 

@@ -39,6 +39,7 @@ from tests.kinematics.arms import (
     moving_robots,
     with_values,
 )
+from tests.nightly import NIGHT
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -88,7 +89,7 @@ def test_the_determinants_are_those_of_the_books(name: str) -> None:
 
 @pytest.mark.parametrize("name", SQUARE)
 def test_the_factors_multiply_to_the_determinant(name: str) -> None:
-    """At 50 random points of the field, exactly, sign included; the rows in the axes of the start."""
+    """At random points of the field, exactly, sign included; the rows in the axes of the start."""
     robot = load_robot(name)
     found = singularities(robot)
     assert found.determinant is not None
@@ -96,7 +97,7 @@ def test_the_factors_multiply_to_the_determinant(name: str) -> None:
     joints = found.joints
     made = tuple(parts(robot, view, joints, merged=False))
     kept = [GEOMETRIC.labels.index(label) for label in found.rows]
-    for _ in range(50):
+    for _ in range(50 if NIGHT else 10):
         at = Residues(angles=[move.angle for move in robot.chain if isinstance(move, Rot)])
         linear, angular = six_rows(made, len(joints), at)
         rows = [[at.value(entry) for entry in row] for row in (*linear, *angular)]
@@ -144,7 +145,7 @@ def test_every_singular_pose_meets_a_condition(name: str, part: Which) -> None:
         return rows if rows.shape[1] <= count else rows.transpose(0, 2, 1)
 
     draw, met = np.random.default_rng(4), 0
-    for _ in range(10):
+    for _ in range(10 if NIGHT else 6):
         q = draw.uniform(-1.5, 1.5, count)
         assert np.linalg.matrix_rank(columns(q[None])[0], 1e-6) == found.rank
         u = np.linalg.svd(columns(q[None])[0])[0][:, -1]
@@ -270,7 +271,7 @@ ELBOW = Robot.from_dh(
 """An arm in numbers: the factor of its elbow has a root among the residues of every second prime only."""
 
 
-def fields(robot: Robot, count: int = 8) -> list[Singularities]:
+def fields(robot: Robot, count: int = 8 if NIGHT else 4) -> list[Singularities]:
     """What is found with several primes."""
     found = []
     for _ in range(count):
@@ -293,9 +294,8 @@ def test_what_a_factor_in_numbers_means_does_not_depend_on_the_prime() -> None:
 
 def test_a_picture_that_holds_at_special_points_alone_is_not_told() -> None:
     """The one factor of a wrist with an offset holds three joints and more: its points are drawn at random."""
-    (factor,) = {found.factors for found in fields(COBOT)}.pop()
+    ((factor,),) = {found.factors for found in fields(COBOT)}
     assert factor.words == "the columns of q1, q2, q3, q4, q5 and q6 become dependent"
-    assert len({found.factors for found in fields(COBOT)}) == 1
 
 
 @pytest.mark.parametrize(

@@ -8,11 +8,12 @@ from dhcli import load_robot
 from dhcli.errors import DhcliError
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.sweep.ranges import read_over
+from tests.row_by_row import row_by_row
 
 PI = 3.141592653589793
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "expected"),
     [
         ("theta1=-90°..90° step 5°", ("theta1", -PI / 2, PI / 2, 37)),
@@ -66,7 +67,7 @@ def test_bare_numbers_are_degrees_where_it_is_said() -> None:
     assert read_over(robot, "d3=0..2 step 1", bare="deg").count == 3
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "said"),
     [
         ("", "a joint is missing"),

@@ -13,11 +13,13 @@ from dhcli.kinematics.velocity.asked import answer_symbolic_rates
 from dhcli.kinematics.velocity.rates import joint_rates
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.tree import ZERO, Symbol
+from tests.nightly import examples
 
 WANTED = (0.3, -0.2, 0.5)
 
 
 @pytest.mark.parametrize("robot", ["planar-2r", "articulated", "cylindrical", "scara"])
+@examples(0.5)
 @given(q=st.tuples(*[st.floats(0.2, 1.2)] * 3), axes=st.integers(0, 2))
 def test_rates_in_letters_are_those_in_numbers(robot: str, q: tuple[float, float, float], axes: int) -> None:
     """Cramer's rule over proved factors, and a least-squares solution by singular values."""

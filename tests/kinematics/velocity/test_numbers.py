@@ -34,6 +34,7 @@ from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from tests.kinematics.arms import PAN_TILT, hinges, joint_point, moving_robots, with_values
 from tests.nightly import examples, in_turn, paired
+from tests.row_by_row import row_by_row
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -363,7 +364,7 @@ def test_a_jacobian_in_symbols_says_so_when_numbers_are_wanted() -> None:
     assert letters.latex().startswith("\\begin{bmatrix}")
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("call", "error", "match"),
     [
         (lambda: jacobian(load_robot("scara"), [0.1, 0.2]), RobotError, "3 joints"),

@@ -25,6 +25,7 @@ from dhcli.kinematics.values import joint_values, numbers, parameter_values
 from dhcli.kinematics.velocity.measures import measures_of
 from dhcli.kinematics.velocity.view import MotionView, Viewing
 from tests.kinematics.arms import IIWA, joint_point, moving_robots, with_values
+from tests.nightly import in_turn
 
 FORCE, MOMENT = (3.0, -5.0, 7.0), (0.4, 0.2, -0.6)
 
@@ -129,7 +130,7 @@ def test_the_angular_velocity_alone_may_be_asked_for() -> None:
     assert found.is_reached
 
 
-@pytest.mark.parametrize("name", [n for n in moving_robots() if not n.startswith("dh-link")])
+@pytest.mark.parametrize("name", in_turn([n for n in moving_robots() if not n.startswith("dh-link")], 0, 2))
 def test_manipulability_is_the_size_of_the_determinant(name: str) -> None:
     """Where there is one; else the volume by its singular values; for one and for many."""
     robot = load_robot(name)

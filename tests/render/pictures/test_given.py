@@ -8,11 +8,12 @@ import pytest
 
 from dhcli import draw, load_robot
 from dhcli.errors import DhcliError
+from tests.row_by_row import row_by_row
 
 ARM = load_robot("planar-2r")
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("given", "said"),
     [
         ({"q": [0.1]}, "planar-2r has 2 joints, 1 value given"),

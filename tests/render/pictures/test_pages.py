@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import html
 import itertools
 import json
 import math
 import random
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -31,6 +32,7 @@ MOVING = ("planar-four-bar", "peaucellier", "slider-crank", "watt", "planetary-g
 HELD = ("revolute", "spherical", "universal")
 COUNT_PATHS = "return document.querySelectorAll('svg path').length"
 IN_SPACE = ("bennett", "bricard", "goldberg", "sarrus", "hooke-coupling", "shaft-coupling", "delta", "stewart-gough")
+MOVED = (*MOVING, *IN_SPACE)
 
 
 def _linkage(name: str) -> Linkage:
@@ -42,6 +44,15 @@ def _linkage(name: str) -> Linkage:
 def _open(browser: WebDriver, picture: Picture, folder: Path, name: str = "page") -> None:
     path = folder / f"{name}.html"
     picture.save(path)
+    browser.get_log("performance")
+    browser.get(path.as_uri())
+
+
+def _open_all(browser: WebDriver, pictures: Iterable[Picture], folder: Path) -> None:
+    """Many pages side by side, each in a frame of its own: a browser takes longer over a page than over a frame."""
+    frames = "".join(f'<iframe srcdoc="{html.escape(picture.page())}"></iframe>' for picture in pictures)
+    path = folder / "pages.html"
+    path.write_text(f"<!DOCTYPE html><style>iframe {{ width: 1200px; height: 800px }}</style>{frames}", "utf-8")
     browser.get_log("performance")
     browser.get(path.as_uri())
 
@@ -60,7 +71,7 @@ def _asked(browser: WebDriver) -> list[str]:
     return [e["params"]["request"]["url"] for e in events if e["method"] == "Network.requestWillBeSent"]
 
 
-@pytest.mark.parametrize("name", in_turn([*ROBOTS, *LINKAGES], 0, 2))
+@pytest.mark.parametrize("name", in_turn([*ROBOTS, *LINKAGES], 0, 3))
 def test_a_page_names_no_address_but_those_of_namespaces(name: str) -> None:
     """Read as text, with no browser: nothing that could be fetched."""
     text = draw(_linkage(name) if name in LINKAGES else load_robot(name)).page()
@@ -73,22 +84,24 @@ def test_a_page_names_no_address_but_those_of_namespaces(name: str) -> None:
 def test_pages_compute_what_dhcli_computes(browser: WebDriver, tmp_path: Path) -> None:
     """Every robot, random joint values, every frame from the first: within 1e-12 of forward."""
     rng = random.Random(18)  # noqa: S311  no secret
-    for name in REAL:
-        robot = load_robot(name)
-        _open(browser, draw(robot), tmp_path, name)
+    robots = [load_robot(name) for name in REAL]
+    asked = []
+    for robot in robots:
         turning = [joint.kind == "revolute" for joint in robot.joints]
         poses = [[rng.uniform(-3, 3) if turns else rng.uniform(-1, 1) for turns in turning] for _ in range(50)]
-        last = robot.frames[-2]
-        found = browser.execute_script(
-            "return arguments[0].map(q => dhcli.fk(q, arguments[1], arguments[2]))", poses, robot.frames[1], last
-        )
+        asked.append([poses, robot.frames[1], robot.frames[-2]])
+    _open_all(browser, map(draw, robots), tmp_path)
+    computed = browser.execute_script(
+        "return arguments[0].map(([poses, i, j], k) => poses.map(q => frames[k].dhcli.fk(q, i, j)))", asked
+    )
+    for robot, (poses, _, _), found in zip(robots, asked, computed, strict=True):
         for q, rows in zip(poses, found, strict=True):
             known = forward(robot, q).rows
             worst = max(
                 abs(a - b) for ours, theirs in zip(known, rows, strict=True) for a, b in zip(ours, theirs, strict=True)
             )
-            assert worst < 1e-12, name
-        _check_silent(browser)
+            assert worst < 1e-12, robot.name
+    _check_silent(browser)
 
 
 def test_base_and_tool_frames_are_there_too(browser: WebDriver, tmp_path: Path) -> None:
@@ -189,20 +202,26 @@ return [boxes.length, n];
 def test_no_label_overlaps_another_in_the_letters_of_a_browser(browser: WebDriver) -> None:
     """By the boxes that Chromium gives them: every robot and linkage, as a figure."""
     browser.get("about:blank")
-    for picture in _pictures():
+    for picture in in_turn([*_pictures()], 0, 3):
         count, overlaps = browser.execute_script(OVERLAPS, picture.svg())
         assert count > 0
         assert overlaps == 0, picture
 
 
-@pytest.fixture(params=[*MOVING, *IN_SPACE], scope="module")
-def moved(request: pytest.FixtureRequest, browser: WebDriver, tmp_path_factory: pytest.TempPathFactory) -> Linkage:
-    """A linkage whose page is open, once for all that is done there."""
-    linkage = _linkage(request.param)
-    _open(browser, draw(linkage), tmp_path_factory.mktemp("moved"))
-    assert browser.execute_script(COUNT_PATHS) > 0
+@pytest.fixture(scope="module")
+def together(browser: WebDriver, tmp_path_factory: pytest.TempPathFactory) -> None:
+    """The pages of all linkages that are moved, for all that is done there."""
+    _open_all(browser, (draw(_linkage(name)) for name in MOVED), tmp_path_factory.mktemp("moved"))
     _check_silent(browser)
-    return linkage
+
+
+@pytest.fixture(params=MOVED, scope="module")
+def moved(request: pytest.FixtureRequest, browser: WebDriver, together: None) -> Linkage:
+    """A linkage whose page is looked at."""
+    browser.switch_to.default_content()
+    browser.switch_to.frame(MOVED.index(request.param))
+    assert browser.execute_script(COUNT_PATHS) > 0
+    return _linkage(request.param)
 
 
 def test_a_driven_linkage_keeps_together_and_comes_back(moved: Linkage, browser: WebDriver) -> None:
@@ -340,15 +359,21 @@ def test_peaucelliers_point_stays_on_its_line_through_all_that_the_crank_can_do(
     _open(browser, draw(_linkage("peaucellier")), tmp_path)
     line = browser.execute_script("return dhcli.at('T')")[0]
     ends = []
+    script = """
+      const places = [];
+      dhcli.home();
+      for (let step = 1; step < 60 && !dhcli.note(); step++) {
+        dhcli.drive('crank', arguments[0] * step * 0.05);
+        places.push(dhcli.at('T')[0]);
+      }
+      return [places, note, driver.read(X)];
+    """
     for side in (1, -1):
-        browser.execute_script("dhcli.home()")
-        for step in range(1, 60):
-            browser.execute_script("dhcli.drive('crank', arguments[0])", side * step * 0.05)
-            assert browser.execute_script("return dhcli.at('T')")[0] == pytest.approx(line, abs=1e-9)
-            if browser.execute_script("return dhcli.note()"):
-                break
-        assert "dead position" in browser.execute_script("return note")
-        ends.append(browser.execute_script("return driver.read(X)"))
+        places, note, end = browser.execute_script(script, side)
+        assert places
+        assert places == pytest.approx([line] * len(places), abs=1e-9)
+        assert "dead position" in note
+        ends.append(end)
     limit = 2 * math.acos((3 - 1.25) / 2)  # where the rhombus lies flat, OP = l - s
     start = math.radians(35)
     assert ends[0] == pytest.approx(limit - start, abs=0.01)
@@ -357,14 +382,14 @@ def test_peaucelliers_point_stays_on_its_line_through_all_that_the_crank_can_do(
 
 def test_pages_of_odd_robots_and_of_all_linkages_open_without_a_word(browser: WebDriver, tmp_path: Path) -> None:
     """A name with markup among them; those that are moved are open there."""
-    for name in set(LINKAGES).difference(MOVING, IN_SPACE):
-        _open(browser, draw(_linkage(name)), tmp_path, name)
-        assert browser.execute_script(COUNT_PATHS) > 0
-        _check_silent(browser)
-    for number, robot in enumerate(odd_robots().values()):
-        _open(browser, draw(robot), tmp_path, f"odd{number}")
-        assert browser.execute_script("return figure.querySelectorAll('path').length") > 0
-        _check_silent(browser)
+    linkages = [_linkage(name) for name in set(LINKAGES).difference(MOVED)]
+    _open_all(browser, map(draw, (*linkages, *odd_robots().values())), tmp_path)
+    drawn = browser.execute_script(
+        "return Array.from(frames, each => each.document.querySelectorAll('svg path').length)"
+    )
+    assert len(drawn) == len(linkages) + len(odd_robots())
+    assert all(drawn)
+    _check_silent(browser)
 
 
 def test_a_page_fits_a_phone(browser: WebDriver, tmp_path: Path) -> None:

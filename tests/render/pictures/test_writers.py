@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 import shutil
 import subprocess
@@ -31,6 +32,7 @@ from dhcli.render.pictures.tikz import tikz
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.table import cells as table_cells
 from dhcli.scene.words import Run
+from tests.nightly import paired
 from tests.scene.examples import LINKAGES, long_robot, odd_robots
 
 NAMES = ("puma560", "planar-2r", "spherical-wrist", "stanford", "planar-four-bar", "planetary-gear", "stewart-gough")
@@ -212,11 +214,12 @@ def test_png_without_resvg_says_what_brings_it(monkeypatch: pytest.MonkeyPatch) 
     assert "dhcli[draw]" in caught.value.problems[0].hint
 
 
-@pytest.mark.parametrize("unicode", [True, False])
-@pytest.mark.parametrize("columns", [16, 20, 33, 80, 120])
-@pytest.mark.parametrize("name", ["puma560", "scissor"])
-def test_no_line_in_the_terminal_is_wider_than_asked(name: str, columns: int, unicode: bool) -> None:
+@pytest.mark.parametrize(
+    ("told", "columns"), paired([*itertools.product(["puma560", "scissor"], [True, False])], [16, 20, 33, 80, 120])
+)
+def test_no_line_in_the_terminal_is_wider_than_asked(told: tuple[str, bool], columns: int) -> None:
     """Whatever the paper knows; without Unicode all of it is ASCII."""
+    name, unicode = told
     text = _picture(name).terminal(Paper(columns, unicode=unicode), columns)
     assert all(len(line) <= columns for line in text.split("\n"))
     assert text.isascii() != unicode

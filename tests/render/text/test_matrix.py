@@ -9,13 +9,14 @@ from dhcli.notation.tree import Expr
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.matrix import matrix_lines
+from tests.row_by_row import row_by_row
 
 ROBOTS = [entry.name for entry in entries(Kind.ROBOTS) if entry.origin == "built-in"]
 WIDE = 10_000
 
 
-@pytest.mark.parametrize("unicode", [True, False])
-@pytest.mark.parametrize("name", ROBOTS)
+@row_by_row("unicode", [True, False])
+@row_by_row("name", ROBOTS)
 def test_a_printed_symbolic_matrix_is_read_back_as_the_same_tree(name: str, unicode: bool) -> None:
     """Copy from the terminal, paste into an answer: nothing is lost."""
     robot = load_robot(name)
@@ -44,7 +45,7 @@ def test_decimal_points_stand_below_each_other() -> None:
     ]
 
 
-@pytest.mark.parametrize("name", ROBOTS)
+@row_by_row("name", ROBOTS)
 def test_a_matrix_fits_the_paper_or_is_given_entry_by_entry(name: str) -> None:
     """At 80 columns no line of a matrix is longer, and no formula is ever folded."""
     pose = symbolic(load_robot(name))

@@ -15,6 +15,7 @@ from dhcli.checking.diagnosis.mistakes.moves import IN_MOVES
 from dhcli.checking.diagnosis.mistakes.products import IN_PRODUCTS, OF_FRAMES
 from dhcli.checking.diagnosis.mistakes.rows import IN_ROWS
 from dhcli.checking.diagnosis.mistakes.turns import IN_TURNS
+from dhcli.checking.diagnosis.mistakes.units import IN_UNITS
 
 __all__ = ["BY_ID", "EVERY", "IN_TERMS", "MISTAKES"]
 
@@ -22,6 +23,7 @@ MISTAKES = (
     *IN_THE_WHOLE,
     *OF_FRAMES,
     *IN_ROWS,
+    *IN_UNITS,
     *IN_TURNS,
     *BETWEEN_ROWS,
     *IN_MOVES,

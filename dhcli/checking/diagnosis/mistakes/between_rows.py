@@ -11,7 +11,7 @@ from dataclasses import replace
 from functools import partial
 from itertools import combinations, pairwise
 
-from dhcli.checking.diagnosis.mistakes.changes import all_rows, in_row, value_of
+from dhcli.checking.diagnosis.mistakes.changes import all_rows, in_row
 from dhcli.checking.diagnosis.mistakes.rows import a_sign, d_sign, theta_sign
 from dhcli.checking.diagnosis.record import Catalogue
 from dhcli.checking.diagnosis.result import Rank
@@ -99,7 +99,7 @@ def _at_zero(step: Factor, setting: Setting) -> Factor | None:
     """The factor without the joint angle of its row; None where that is 0."""
     assert step.row is not None  # noqa: S101
     row = replace(step.row, theta=replace(step.row.theta, terms=()))
-    return None if value_of(step.row.theta, setting) == row.theta else in_row(step, row, setting.convention)
+    return None if step.row.theta.substitute(setting.values) == row.theta else in_row(step, row, setting.convention)
 
 
 @BETWEEN_ROWS(
@@ -180,7 +180,7 @@ def _swapped(
 
 def _hardly_differ(first: Angle, second: Angle, setting: Setting) -> bool:
     """Whether two angles are the same, or in numbers complements, whose sine and cosine have changed places."""
-    one, two = value_of(first, setting), value_of(second, setting)
+    one, two = first.substitute(setting.values), second.substitute(setting.values)
     return one == two or (setting.numeric and (one + two).quarter_turns() == 1)
 
 

@@ -7,6 +7,8 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TypeAlias
 
+from dhcli.checking.diagnosis.record import Catalogue
+from dhcli.checking.diagnosis.result import Rank
 from dhcli.checking.diagnosis.work import Factor, Made, Maker, Setting, Work
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.values import symbols_of
@@ -15,7 +17,6 @@ from dhcli.notation.tree import ZERO, Expr, Number, Sum, add
 
 Change: TypeAlias = Callable[[Row, Setting], Row | None]
 
-OTHER = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
 OFFSETS = (90, -90, 180)
 """Offsets that people see in a drawing and add, in degrees."""
 MILLI = Fraction(1, 1000)
@@ -45,6 +46,19 @@ def all_rows(change: Change) -> Maker:
     return made
 
 
+class InRows(Catalogue[Maker]):
+    """Mistakes in rows of a table."""
+
+    def in_each(self, *record: str, of_values: bool = False, rank: Rank = Rank.PLACE) -> Callable[[Change], Change]:
+        """A mistake that may be made in any one row: its name, its words and its hint; of what changes the row."""
+
+        def taken(change: Change) -> Change:
+            self(*record, of_values=of_values, rank=rank)(each(change))
+            return change
+
+        return taken
+
+
 def _changed(step: Factor, change: Change, setting: Setting) -> Factor | None:
     """The factor with its row changed; None where it has none, or would not change."""
 
@@ -64,7 +78,7 @@ def other_unit(angle: Angle, setting: Setting) -> Angle | None:
     """A known angle with its number in the other unit; None where that changes nothing, or it is no number."""
     if not setting.numeric:
         return None
-    value = value_of(angle, setting)
+    value = angle.substitute(setting.values)
     if value.terms or bool(value.degrees) is bool(value.radians):
         return None
     return Angle(degrees=value.radians, radians=value.degrees)
@@ -75,11 +89,6 @@ def scale_of(setting: Setting) -> Expr | None:
     if not setting.numeric or not setting.unit:
         return None
     return Number(MILLI if setting.unit == MILLI else 1 / MILLI)
-
-
-def value_of(angle: Angle, setting: Setting) -> Angle:
-    """An angle with the values that the task gives."""
-    return angle.substitute({name: value for name, value in setting.values.items() if isinstance(value, Angle)})
 
 
 def moving_and_fixed(expr: Expr, setting: Setting) -> tuple[Expr, Expr]:

@@ -18,6 +18,7 @@ from dhcli.checking.diagnosis.mistakes.rewritings import (
 from dhcli.checking.diagnosis.record import Catalogue
 from dhcli.checking.diagnosis.result import Rank
 from dhcli.checking.diagnosis.work import Level, Made, Maker, Rewriting, Setting, Work
+from dhcli.checking.verdicts import INVERSE, TRANSPOSED
 from dhcli.notation.factors import AXES
 from dhcli.notation.tree import ZERO, negate
 
@@ -32,7 +33,7 @@ IN_WRITING: Catalogue[Maker] = Catalogue(Level.MATRIX)
 
 @IN_THE_WHOLE(
     "transposed",
-    "the rotation is transposed: its columns, not its rows, are the axes of the frame described",
+    TRANSPOSED,
     "which frame do the columns of the rotation belong to?",
     rank=Rank.WHOLE,
 )
@@ -51,7 +52,7 @@ def turned_back(work: Work, _setting: Setting) -> Made:
 
 @IN_THE_WHOLE(
     "inverse",
-    "this is the inverse: it shows the reference from the frame",
+    INVERSE,
     "which of the two frames is seen from which?",
     rank=Rank.WHOLE,
 )

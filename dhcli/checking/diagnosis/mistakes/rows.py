@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -10,40 +9,20 @@ from itertools import pairwise
 
 from dhcli.checking.diagnosis.mistakes.changes import (
     OFFSETS,
-    OTHER,
     RIGHT_ANGLE,
-    Change,
+    InRows,
     all_rows,
-    each,
     in_row,
     moving_and_fixed,
-    other_unit,
-    scale_of,
-    value_of,
 )
-from dhcli.checking.diagnosis.record import Catalogue
 from dhcli.checking.diagnosis.result import Rank
-from dhcli.checking.diagnosis.work import Factor, Level, Made, Maker, Setting, Work
-from dhcli.kinematics.conventions import Row, moves_of
+from dhcli.checking.diagnosis.work import Factor, Level, Made, Setting, Work
+from dhcli.kinematics.conventions import OTHER, Row, moves_of
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import ZERO, add, multiply, negate
+from dhcli.notation.tree import ZERO, add, negate
 from dhcli.notation.walk import symbols
 
-
-class _Rows(Catalogue[Maker]):
-    """Mistakes in rows."""
-
-    def in_each(self, *record: str, of_values: bool = False, rank: Rank = Rank.PLACE) -> Callable[[Change], Change]:
-        """A mistake that may be made in any one row: its name, its words and its hint; of what changes the row."""
-
-        def taken(change: Change) -> Change:
-            self(*record, of_values=of_values, rank=rank)(each(change))
-            return change
-
-        return taken
-
-
-IN_ROWS = _Rows(Level.TABLE)
+IN_ROWS = InRows(Level.TABLE)
 """In the order in which they are tried and named."""
 
 
@@ -186,59 +165,6 @@ def sine_cosine(row: Row, _setting: Setting) -> Row | None:
     return replace(row, theta=RIGHT_ANGLE - row.theta) if row.theta.names else None
 
 
-@IN_ROWS.in_each(
-    "theta-unit",
-    "the joint angle of row {where} is taken in the wrong unit, degrees for radians or the other way round",
-    "is your calculator in degrees or in radians?",
-    of_values=True,
-)
-def theta_unit(row: Row, setting: Setting) -> Row | None:
-    """The joint's value in the other unit."""
-    theta = other_unit(row.theta, setting)
-    return None if theta is None else replace(row, theta=theta)
-
-
-@IN_ROWS.in_each(
-    "alpha-unit",
-    "alpha of row {where} is taken in the wrong unit, degrees for radians or the other way round",
-    "is your calculator in degrees or in radians?",
-    of_values=True,
-)
-def alpha_unit(row: Row, setting: Setting) -> Row | None:
-    """The twist in the other unit."""
-    alpha = other_unit(row.alpha, setting)
-    return None if alpha is None else replace(row, alpha=alpha)
-
-
-@IN_ROWS(
-    "angles-unit",
-    "every angle is taken in the wrong unit, degrees for radians or the other way round",
-    "is your calculator in degrees or in radians?",
-    of_values=True,
-)
-def angles_unit(work: Work, setting: Setting) -> Made:
-    """All angles in the other unit, as on a calculator in the wrong mode."""
-
-    def changed(step: Factor) -> Factor | None:
-        if step.row is None:
-            return step
-        alpha, theta = (other_unit(angle, setting) or angle for angle in (step.row.alpha, step.row.theta))
-        chain = moves_of(replace(step.row, alpha=alpha, theta=theta), setting.convention)
-        return Factor(step.name, chain, step.row)
-
-    if setting.numeric and sum(step.row is not None for step in work.steps) > 1:
-        steps = (setting.factor((angles_unit, step), partial(changed, step)) or step for step in work.steps)
-        yield "", replace(work, steps=tuple(steps))
-
-
-IN_ROWS(
-    "thetas-unit",
-    "the joint angles are taken in the wrong unit, degrees for radians or the other way round",
-    "is your calculator in degrees or in radians?",
-    of_values=True,
-)(all_rows(theta_unit))
-
-
 @IN_ROWS(
     "thetas-swapped",
     "the joint angles of rows {where} have changed places",
@@ -274,31 +200,9 @@ IN_ROWS("a-d-swaps", "a and d have changed places in every row", "look at a and 
 )
 
 
-@IN_ROWS.in_each(
-    "a-in-mm",
-    "a of row {where} is in another unit than the other lengths, mm for m",
-    "look at the units of the lengths",
-)
-def a_unit(row: Row, setting: Setting) -> Row | None:
-    """The number of another unit in the place of a length."""
-    factor = scale_of(setting)
-    return None if factor is None else replace(row, a=multiply(factor, row.a))
-
-
-@IN_ROWS.in_each(
-    "d-in-mm",
-    "d of row {where} is in another unit than the other lengths, mm for m",
-    "look at the units of the lengths",
-)
-def d_unit(row: Row, setting: Setting) -> Row | None:
-    """The number of another unit in the place of an offset."""
-    factor = scale_of(setting)
-    return None if factor is None else replace(row, d=multiply(factor, row.d))
-
-
 def _moved(row: Row, setting: Setting) -> Angle:
     """What the joint of a row adds to theta."""
-    return value_of(row.theta - replace(row.theta, terms=()), setting)
+    return (row.theta - replace(row.theta, terms=())).substitute(setting.values)
 
 
 def _reversed(step: Factor, setting: Setting) -> Factor:

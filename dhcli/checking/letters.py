@@ -1,0 +1,60 @@
+"""Numbers where letters were asked: the slip of whoever puts the robot's own lengths into a formula."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from dhcli.checking.diagnosis.result import Rank, Slip
+from dhcli.checking.exercise import Case, Memo
+from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.returned import Causes, Reading
+from dhcli.checking.verdicts import UNSOLVED, Verdict
+from dhcli.errors import DhcliError
+from dhcli.notation.names import canonical
+from dhcli.notation.quantity import value_text
+from dhcli.regex import regex
+
+NAME = "numbers-for-letters"
+_WORD = regex(r"[^\W\d_]+\w*")
+_NOISE = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789", "_{}\\ ")
+
+
+def numbers_for_letters(case: Case, text: str) -> Causes:
+    """The slip of an answer that is right once the robot's lengths, of which no letter stands in it, have their values.
+
+    A letter that stands in the answer keeps standing for any length, so that one for another is not taken for this.
+
+    Args:
+        case: The part that is answered.
+        text: The answer, wrong as it stands.
+    """
+    exercise = case.exercise
+    if exercise.numeric or exercise.robot is None or not any(letter.isdigit() for letter in text):
+        return ()
+    plain, lengths = text.translate(_NOISE).lower(), exercise.robot.scope.lengths
+    left = {
+        name: value
+        for name, value in exercise.known.items()
+        if name in lengths and name not in exercise.given and canonical(name).translate(_NOISE).lower() not in plain
+    }
+    for unit in (exercise.unit, *exercise.other_units) if left else ():
+        there = replace(exercise, given={**exercise.given, **left}, unit=unit)
+        if _is_right(Case(case.part, Memo(there)), text):
+            asked = set(_WORD.findall(case.part.question.expected(case)))
+            values = {name: value_text(value, unit) for name, value in left.items() if name in asked}
+            return ((_slip(values, text),),)
+    return ()
+
+
+def _is_right(case: Case, text: str) -> bool:
+    try:
+        mark = case.part.question.mark(case, Reading(text, case.part.question.read(case, text)))
+    except (UnreadableError, DhcliError):
+        return False
+    return mark.verdict not in (*UNSOLVED, Verdict.SKIPPED)
+
+
+def _slip(values: dict[str, str], text: str) -> Slip:
+    typed = (f": {value} for {name}" for name, value in values.items() if value.split()[0] in text)
+    words = f"the robot's numbers stand for its letters{next(typed, '')}"
+    return Slip(NAME, words, "are letters or numbers asked for?", Rank.WHOLE)

@@ -1,0 +1,55 @@
+"""Numbers where letters were asked: a slip that has a name, if they are the robot's own."""
+
+from __future__ import annotations
+
+import pytest
+
+from dhcli import check, load_exercise
+from dhcli.checking.verdicts import Verdict
+
+ARM, JACOBIAN, FORMULAS = "yim/planar-two-links", "motion/planar-jacobian", "inverse/planar-joints"
+PUMA = "wpi/puma560-entries-of-0t6"
+
+
+@pytest.mark.parametrize(
+    ("exercise", "part", "answer", "words"),
+    [
+        (ARM, "d02", "0.4*c1 + 0.3*c12, 0.4*s1 + 0.3*s12, 0", ": 0.4 m for a1"),
+        (ARM, "d02", "400*c1 + 300*c12, 400*s1 + 300*s12, 0", ": 400 mm for a1"),
+        (ARM, "d02", "a1*c1 + 0.3*c12, a1*s1 + 0.3*s12, 0", ": 0.3 m for a2"),
+        (JACOBIAN, "column1", "-0.4 s1-0.3 s12; 0.4 c1+0.3 c12; 0", ": 0.4 m for a1"),
+        (JACOBIAN, "determinant", "0.12*s2", ""),
+        (FORMULAS, "elbow", "±acos((px^2 + py^2 - 0.25)/0.24)", ""),
+        (PUMA, "px", "c1*(0.4318*c2 + 0.0203*c23 - 0.4318*s23) - 0.15005*s1", ": 0.4318 m for a2"),
+    ],
+)
+def test_the_numbers_of_the_robot_for_its_letters_are_named(exercise: str, part: str, answer: str, words: str) -> None:
+    """In every kind of formula, in the unit of the sheet or in another one."""
+    judged = check(load_exercise(exercise), part, answer)
+    assert judged.verdict is Verdict.WRONG
+    assert judged.diagnosis is not None
+    assert judged.diagnosis.names == (f"the robot's numbers stand for its letters{words}",)
+
+
+@pytest.mark.parametrize(
+    ("exercise", "part", "answer"),
+    [
+        (ARM, "d02", "0.4*c1 + 0.4*c12, 0.4*s1 + 0.3*s12, 0"),  # a2 is 0.3
+        (ARM, "d02", "0.5*c1 + 0.3*c12, 0.5*s1 + 0.3*s12, 0"),
+        (PUMA, "px", "c1*(a2*c2 + a3*c23 - a2*s23) - d3*s1"),  # a2 for d4, which are equal in this arm
+    ],
+)
+def test_other_numbers_and_letters_are_not(exercise: str, part: str, answer: str) -> None:
+    """A letter in the answer stands for any length, however long two of them are in this robot."""
+    judged = check(load_exercise(exercise), part, answer)
+    assert judged.verdict is Verdict.WRONG
+    assert judged.diagnosis is None or not any("numbers" in name for name in judged.diagnosis.names)
+
+
+@pytest.mark.parametrize(("behind", "is_told"), [(" m/s", True), (" m", False), ("", False)])
+def test_a_speed_behind_a_whole_jacobian_is_read_and_told(behind: str, *, is_told: bool) -> None:
+    """Its columns have the units of lengths or of numbers."""
+    answer = f"[-0.4679 -0.2989; 0.3364 -0.0261; 0 0]{behind}"
+    judged = check(load_exercise("motion/planar-rates-in-numbers"), "jacobian", answer)
+    assert judged.verdict is Verdict.RIGHT
+    assert any("m/s is no unit of a Jacobian" in remark for remark in judged.remarks) is is_told
