@@ -130,30 +130,36 @@ def numbered(places: Sequence[int], index: NDArray[np.int64], q: Array) -> Array
 
 
 def solved_blocks(
-    question: Question, poses: Array, held: dict[int, float], tolerance: float, threads: int = 1
+    question: Question, poses: Array, held: dict[int, float], tolerance: float, threads: int = 1, *, search: bool = True
 ) -> Iterator[tuple[int, Found]]:
-    """The number of the first pose of each block, and all solutions of the block, block by block."""
+    """The number of the first pose of each block, and all solutions of the block, block by block.
+
+    Poses for which the plan finds nothing are looked for by themselves, if that is wanted.
+    """
 
     def solved(first: int) -> tuple[int, Found]:
-        return first, _solved_block(question, poses[first : first + BLOCK], held, tolerance)
+        goals = question.ready.arm.goal(poses[first : first + BLOCK])
+        found = _solved_block(question, goals, held, tolerance)
+        plan = question.ready.plan
+        if not search or (plan.rules == ("ONE",) and len(plan.held) == len(held)):
+            return first, found  # equations in one joint each lose none
+        return first, _searched(question, goals, held, tolerance, found)
 
     return shared(solved, range(0, len(poses), BLOCK), threads)
 
 
-def _solved_block(question: Question, poses: Array, held: dict[int, float], tolerance: float) -> Found:
-    """All solutions of a block of poses, sorted by pose; of a family one member."""
+def _solved_block(question: Question, goals: Array, held: dict[int, float], tolerance: float) -> Found:
+    """What the plan finds of a block of poses, sorted by pose; of a family one member."""
     ready = question.ready
     best = question.best()
-    fixed = {j: np.full(len(poses), held.get(j, float(best[j]))) for j in ready.plan.held}
-    found = run(ready.plan, ready.task, ready.arm.goal(poses), tries(ready, best), fixed, tolerance)
+    fixed = {j: np.full(len(goals), held.get(j, float(best[j]))) for j in ready.plan.held}
+    found = run(ready.plan, ready.task, goals, tries(ready, best), fixed, tolerance)
     loose = np.flatnonzero(found.free)
     if len(loose):
         least = np.ones(len(found.index))
         least[loose] = least_singular(ready, found.motions[loose])
         found = found.take(representatives(ready, found, least)[0])
-    if ready.plan.rules == ("ONE",) and len(ready.plan.held) == len(held):
-        return found  # equations in one joint each lose none
-    return _searched(question, ready.arm.goal(poses), held, tolerance, found)
+    return found
 
 
 def _searched(question: Question, goals: Array, held: dict[int, float], tolerance: float, found: Found) -> Found:
@@ -161,19 +167,24 @@ def _searched(question: Question, goals: Array, held: dict[int, float], toleranc
     ready = question.ready
     lost = np.flatnonzero(np.bincount(found.index, minlength=len(goals)) == 0)
     near = [k for k in lost.tolist() if not too_far(ready.arm, ready.task, goals[k])]
-    nowhere = np.zeros(ready.arm.joints), np.inf, np.inf
-
-    def alone_at(rank: int, k: int) -> Solved:
-        nearest = partial(nearest_to, ready, goals[k], held) if rank < NEAREST else lambda: nowhere
-        return find(question, goals[k], held, None, tolerance, nearest)[0]
-
-    alone = [alone_at(rank, k) for rank, k in enumerate(near)]
+    alone = [
+        by_itself(question, goals[k], held, tolerance, to_the_nearest=rank < NEAREST) for rank, k in enumerate(near)
+    ]
     if not any(len(each.motions) for each in alone):
         return found
     motions, residual = (np.concatenate([getattr(each, part) for each in alone]) for part in ("motions", "residual"))
     index = np.repeat(near, [len(each.motions) for each in alone])
     none = np.zeros_like(index)
     return found.joined(Found(index, motions, residual, none, none, none))
+
+
+def by_itself(
+    question: Question, goal: Array, held: dict[int, float], tolerance: float, *, to_the_nearest: bool
+) -> Solved:
+    """What is found of one pose with joints to spare held elsewhere, or behind the pose that comes nearest to it."""
+    nowhere = np.zeros(question.ready.arm.joints), np.inf, np.inf
+    nearest = partial(nearest_to, question.ready, goal, held) if to_the_nearest else lambda: nowhere
+    return find(question, goal, held, None, tolerance, nearest)[0]
 
 
 def _in_turn(question: Question, q: Array) -> Array:
