@@ -36,6 +36,7 @@ from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from tests.judging import expected, mark, mark_sheet
 from tests.nightly import examples, some
+from tests.row_by_row import row_by_row
 from tests.strategies import polynomials
 
 COSINE, SINE = math.cos(math.radians(75)), math.sin(math.radians(75))
@@ -44,7 +45,7 @@ Y = 0.4 * math.sin(math.radians(30)) + 0.3 * SINE
 SIZE = 0.7
 """Lengths of the planar arm [m]: 0.4 and 0.3."""
 
-SEEN_ENOUGH = examples(1)
+SEEN_ENOUGH = examples(0.5)
 
 
 @cache
@@ -82,7 +83,7 @@ def verdict(answer: str, part: str = "pose", exercise: Exercise | None = None) -
 # ---------------------------------------------------------------------------------------------------- tolerances
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("error", "found"),
     [
         (0.0, Verdict.RIGHT),

@@ -264,7 +264,7 @@ def test_a_table_from_a_spreadsheet_is_read_with_its_tabs(tmp_path: Path) -> Non
         assert screen.end() == 0
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("lines", "is_matrix", "text"),
     [
         (["c1 -s1", "s1 c1", ""], True, "c1 -s1; s1 c1"),

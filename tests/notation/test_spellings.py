@@ -165,7 +165,7 @@ def test_an_angle_called_like_a_length_is_known_by_its_list() -> None:
     assert write(parse("c(phi) + c(x) + c x", names), "full") == "cos(phi) + 2*c*x"
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "message"),
     [
         ("c12", "c12 could be cos(theta12) or cos(theta1+theta2)"),
