@@ -12,7 +12,7 @@ from dhcli.checking.other_unit import RADIANS, WrongUnitError, is_clear, refuse_
 from dhcli.checking.pasted import UnreadableError, without_label
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance, is_rounding_of, judge, without_unit
 from dhcli.checking.units import is_measure, length_in_metres
-from dhcli.checking.verdicts import AGREEING, TOO_FEW, UNSOLVED, CellMark, Mark, Verdict
+from dhcli.checking.verdicts import AGREEING, UNSOLVED, CellMark, Mark, Verdict, too_few
 from dhcli.errors import Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Value
@@ -101,7 +101,7 @@ def mark_value(exercise: Exercise, right: Quantity, answer: TypedValue, toleranc
     if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(typed, right, exercise):
         verdict, remarks = Verdict.ROUNDED, (NOT_EXACT,)
     if verdict in UNSOLVED and exercise.numeric and _agrees_to_digits(exercise, right, answer):
-        remarks = (TOO_FEW,)
+        remarks = (too_few(tolerance.decimals),)
     note = _note(typed, right, exercise) if verdict is Verdict.WRONG else ""
     earned = float(verdict in AGREEING)
     return Mark(verdict, reading, (CellMark(0, 0, verdict, reading, shown, note),), remarks, earned, shown)
