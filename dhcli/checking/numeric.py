@@ -36,12 +36,12 @@ from dhcli.checking.verdicts import (
     AGREEING,
     INVERSE,
     TO_DIGITS,
-    TOO_FEW,
     TRANSPOSED,
     UNSOLVED,
     CellMark,
     Mark,
     Verdict,
+    too_few,
     worst,
 )
 from dhcli.checking.wanted import Wanted
@@ -117,7 +117,7 @@ def mark_numbers(
     else:
         remarks = _remarks(question, truth.numbers, typed, cells, exercise, _slack(entries))
         if verdict is not Verdict.RIGHT and _is_rounded(question, truth, entries, typed, limits, unit, least=0):
-            remarks = (TOO_FEW,)  # no more is wrong: no angle, no distance
+            remarks = (too_few(tolerance.decimals),)  # no more is wrong: no angle, no distance
     if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(truth, entries, exercise):
         verdict, remarks = Verdict.ROUNDED, (NOT_EXACT, *remarks)
     return Mark(verdict, cells=cells, remarks=remarks, earned=_earned(question, cells, typed, verdict))
