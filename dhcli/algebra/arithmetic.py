@@ -78,20 +78,20 @@ def evaluate(expr: Expr, over: Evaluator[N]) -> N | int:
     if type(expr) is Symbol:
         return over.symbol(expr.name)
     if type(expr) is Product:
-        product: N | int = 1
-        for factor in expr.factors:
+        product: N | int = evaluate(expr.factors[0], over)
+        for factor in expr.factors[1:]:
             part: N | int = evaluate(factor, over)
             product = times(product, part)
         return product
     if type(expr) is Sum:
-        total: N | int = 0
-        for term in expr.terms:
+        total: N | int = evaluate(expr.terms[0], over)
+        for term in expr.terms[1:]:
             part = evaluate(term, over)
             total = plus(total, part)
         return total
     if type(expr) is Number:
-        value = expr.value  # asked of two integers: to compare a fraction takes ten times as long
-        return value.numerator if value.denominator == 1 and -1 <= value.numerator <= 1 else over.number(value)
+        upper, lower = expr.value.as_integer_ratio()  # to compare a fraction takes ten times as long
+        return upper if lower == 1 and -1 <= upper <= 1 else over.number(expr.value)
     match expr:
         case Power(base, exponent):
             return over.power(evaluate_settled(base, over), exponent)

@@ -116,6 +116,12 @@ class Trig(Expr):
     function: Literal["cos", "sin"]
     angle: Angle
 
+    def __eq__(self, other: object) -> bool:
+        """At once; see `Angle`."""
+        if type(other) is not Trig:
+            return NotImplemented
+        return self.function == other.function and (self.angle is other.angle or self.angle == other.angle)
+
     def __hash__(self) -> int:
         """Kept; see `Hashed`."""
         try:

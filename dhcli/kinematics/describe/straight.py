@@ -21,6 +21,7 @@ from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, across, cross, dot, le
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, same_direction
 from dhcli.kinematics.describe.exact import CLOSE
+from dhcli.kinematics.entries import small_length
 from dhcli.kinematics.robot import Value
 from dhcli.notation.tree import ONE
 
@@ -49,7 +50,7 @@ class Change:
     def __str__(self) -> str:
         """In words, with its amounts."""
         amounts = [f"turned by {math.degrees(self.turned):.2g}°"] if self.turned else []
-        amounts += [f"shifted by {metres(self.shifted)}"] if self.shifted else []
+        amounts += [f"shifted by {small_length(self.shifted)}"] if self.shifted else []
         return f"{self.joint} is {' and '.join(amounts)}: {self.said}"
 
 
@@ -75,20 +76,12 @@ class Straightened:
         """What was changed, in words."""
         if not self.changes:
             return (f"no axes are nearly parallel, or nearly meet, within {self.within:g} rad: nothing is changed",)
-        known = "".join(f", {name} sliding {metres(most)} at most" for name, most in self.strokes.items())
+        known = "".join(f", {name} sliding {small_length(most)} at most" for name, most in self.strokes.items())
         head = (
             f"straightened within {self.within:g} rad, so not the same robot: over the whole workspace its tip is at "
-            f"most {metres(self.tip)} off, turned by at most {math.degrees(self.turn):.2g}°{known}"
+            f"most {small_length(self.tip)} off, turned by at most {math.degrees(self.turn):.2g}°{known}"
         )
         return (head, *map(str, self.changes))
-
-
-def metres(value: float) -> str:
-    """A small length in words."""
-    for unit, size in (("µm", 1e-6), ("mm", 1e-3)):
-        if value < 1000 * size:
-            return f"{value / size:.3g} {unit}"
-    return f"{value:.3g} m"
 
 
 def check_within(within: float) -> float:
