@@ -31,7 +31,7 @@ from dhcli.checking.tolerance import (
     typed_decimals,
     without_unit,
 )
-from dhcli.checking.truth import Truth, is_length
+from dhcli.checking.truth import Truth, is_length, unit_of
 from dhcli.checking.verdicts import (
     AGREEING,
     INVERSE,
@@ -150,7 +150,7 @@ def _cell(  # noqa: PLR0913, PLR0917  everything an entry is judged by
     assert truth.numbers is not None  # noqa: S101
     right = truth.numbers[row][column]
     verdict = judge(typed, right, limit)
-    scale = float(exercise.metres) if is_length(question, row, column) else 1.0
+    scale = unit_of(question, row, column, exercise)
     if verdict is not Verdict.RIGHT and tolerance.decimals is not None:
         number, unit = without_unit(entry.typed, scale)
         enough = (typed_decimals(number) or 0) >= tolerance.decimals
