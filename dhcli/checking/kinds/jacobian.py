@@ -24,7 +24,7 @@ from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
 from dhcli.kinematics.velocity.jacobian import textbook_jacobian
-from dhcli.kinematics.velocity.view import MotionView, joints_between
+from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.scope import Scope
 from dhcli.regex import regex
 
@@ -76,15 +76,14 @@ class JacobianQuestion(ColumnsQuestion):
 
     def check(self, robot: Robot | None) -> None:
         robot, view = self.motion.check(robot, self.twist)
-        columns, rows = len(joints_between(robot, view.start, view.end)), len(self.form.labels)
+        columns, rows = len(self.motion.joints(robot)), len(self.form.labels)
         if self.row > rows or self.column > columns:
             raise RobotError(f"this Jacobian has {plural(rows, 'row')} and {plural(columns, 'column')}")
         if self.form.analytic and view.axes != view.start:
             raise RobotError("rates of angles are asked along no other axes", "leave in frame out")
 
     def size(self, robot: Robot) -> tuple[int, int]:
-        view = self.motion.view(robot, self.twist)
-        columns = len(joints_between(robot, view.start, view.end))
+        columns = len(self.motion.joints(robot))
         return 1 if self.row else len(self.form.labels), 1 if self.column else columns
 
     def describe(self, exercise: Exercise) -> str:

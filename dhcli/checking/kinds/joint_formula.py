@@ -61,6 +61,8 @@ class JointFormulaQuestion(Question[Formula]):
 
     words: ClassVar = ("angle", "joint")
     examples: ClassVar = ("angle theta2 of position", "angle theta3 of pose", "joint d3 of pose")
+    needs_table: ClassVar = True
+    has_cosines: ClassVar = True
 
     @classmethod
     def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
@@ -82,14 +84,6 @@ class JointFormulaQuestion(Question[Formula]):
         for name in self.joints:
             if name not in moving:
                 raise UnknownNameError(f"{name} is no joint between these frames", ", ".join(moving))
-
-    @property
-    def needs_table(self) -> bool:
-        return True
-
-    @property
-    def has_cosines(self) -> bool:
-        return True
 
     def describe(self, exercise: Exercise) -> str:
         start, end = self.target.ends(exercise.robot)

@@ -10,8 +10,7 @@ from dhcli.errors import NotationError, did_you_mean
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
 from dhcli.files.yaml.typed import parsed
-from dhcli.geometry.vectors import ALONG
-from dhcli.mobility.linkage import Vector
+from dhcli.geometry.vectors import ALONG, Vector, axis_called
 from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle
 from dhcli.notation.quantity import ANGLE_UNITS, DimensionError, to_angle, to_length
 from dhcli.notation.scope import Scope
@@ -97,16 +96,14 @@ class Coordinates:
         """A direction: `x`, `-z`, `A to B`, or its components."""
         if not isinstance(node, PlacedScalar) or node.text.startswith("("):
             return self._coordinates(node, key)
-        sign, letter = (-1.0, node.text[1:]) if node.text.startswith("-") else (1.0, node.text)
-        if letter in ALONG:
-            x, y, z = ALONG[letter]
-            return sign * x, sign * y, sign * z
+        if axis := axis_called(node.text):
+            return axis
         if match := _FROM_TO.fullmatch(node.text):
             ends = [self.point(PlacedScalar(name, node.place), key) for name in match.groups()]
             return ends[1][0] - ends[0][0], ends[1][1] - ends[0][1], ends[1][2] - ends[0][2]
         between = _BETWEEN.fullmatch(node.text)
         hint = "write x, -y, [1, 0, 1], or A to B"
-        if letter.lower() in ALONG:
+        if axis_called(node.text.lower()):
             hint = f"write {node.text.lower()}"
         elif between and {*between.groups()} <= self.points.keys():
             hint = f"write {between[1]} to {between[2]}"

@@ -17,7 +17,7 @@ from dataclasses import field, replace
 
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
-from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, across, cross, dot, length, plus, scaled
+from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, across, cross, dot, length, minus, plus, scaled
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, same_direction
 from dhcli.kinematics.describe.exact import CLOSE
@@ -166,12 +166,12 @@ class _Straight:
         self.hub = None
         if before.through is None:
             return ORIGIN, ""
-        between = plus(before.through.get(ONE, ORIGIN), point, -1)
+        between = minus(before.through.get(ONE, ORIGIN), point)
         if same_direction(before.direction, direction):
             shift = across(between, direction)
             return self.shifted(shift, f"on one line with {_named(before)}")
         if hub is not None:
-            shift = across(plus(hub, point, -1), direction)
+            shift = across(minus(hub, point), direction)
             if length(shift) <= self.close:
                 self.hub = hub
                 return self.shifted(shift, f"through the point where {_named(self.kept[-2])} and {_named(before)} meet")
@@ -193,7 +193,7 @@ class _Straight:
         z, said = self.direction(Line(END, end.z, end.origin))
         turned, gap, here = _between(end.z, z), ORIGIN, end.origin.get(ONE, ORIGIN)
         if last.through is not None and same_direction(last.direction, z):
-            shift = across(plus(last.through.get(ONE, ORIGIN), here, -1), z)
+            shift = across(minus(last.through.get(ONE, ORIGIN), here), z)
             gap, met = self.shifted(shift, f"on one line with {_named(last)}")
             said = " and ".join(part for part in (said, met) if part)
         if turned or length(gap):
@@ -208,7 +208,7 @@ class _Straight:
         tip = amounts[END].shifted if END in amounts else 0.0
         reach, after = 0.0, end.origin.get(ONE, ORIGIN)
         for line, point in zip(reversed(self.drawing.lines), reversed(self.pivots), strict=True):
-            reach, after = reach + length(plus(after, point, -1)), point
+            reach, after = reach + length(minus(after, point)), point
             stroke = self.stroke(line, limits.get(line.name), strokes)
             if change := amounts.get(line.name):
                 tip += change.turned * stroke
@@ -234,14 +234,14 @@ def _pivots(drawing: Drawing) -> list[Vector]:
     for line in drawing.lines:
         if line.through is not None:
             start = line.through.get(ONE, ORIGIN)
-            here = plus(start, line.direction, dot(plus(here, start, -1), line.direction))
+            here = plus(start, line.direction, dot(minus(here, start), line.direction))
         found.append(here)
     return found
 
 
 def _between(u: Vector, v: Vector) -> float:
     """The angle between directions that are nearly the same; 0 where it is a rounding [rad]."""
-    angle = math.asin(min(1.0, length(cross(u, plus(v, u, -1)))))
+    angle = math.asin(min(1.0, length(cross(u, minus(v, u)))))
     return angle if angle > CLOSE else 0.0
 
 

@@ -13,10 +13,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli.errors import FileError
-from dhcli.files.rows import csvrows
+from dhcli.files.rows import MATRIX, TURNS, csvrows
 from dhcli.files.rows import poses as reading
 from dhcli.files.rows.blocks import Block
-from dhcli.files.rows.posecolumns import MATRIX, TURNS
 from dhcli.files.rows.poses import BLOCK, pose_rows
 from dhcli.files.rows.source import Source
 from dhcli.geometry.euler import EulerAngles, Order
