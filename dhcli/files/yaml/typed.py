@@ -21,6 +21,7 @@ from dhcli.regex import regex
 MOST_DIGITS = 3
 _OTHER_UNIT = regex(r".*[\d)]\s*(?P<unit>(?:[cm]?m|rad|°|deg)\s*/\s*s|k?N\s*[*·]?\s*[cm]?m|k?N|k?g|s|rpm|%)\s*")
 """A number in a unit of something else."""
+_A_TURN = regex(r"(.*[\d.)]\s*[cm]?m)\s*(?:/|per)\s*(?:rev|turn|revolution|U)\.?")
 _MOVING = "velocities, rates and forces are numbers in ask:, in m/s, rad/s, N and N m"
 _MOVES = "Trans(0, 0, 0.1) Rot(z, 90°)"
 NOTHING = Scope()
@@ -31,8 +32,11 @@ def parsed(scalar: PlacedScalar, scope: Scope) -> Expr:
     """The expression of a scalar.
 
     Raises:
-        NotationError: It is none, or has a sine of 30, which nobody means in radians.
+        NotationError: It is none, has a sine of 30, which nobody means in radians, or is the pitch of a screw a turn.
     """
+    if pitch := _A_TURN.fullmatch(scalar.text):
+        message = f"{scalar.text} says for each turn, which a pitch is anyway"
+        raise NotationError(Problem(message, scalar.place, f"write {pitch[1]}"))
     expr = parse(scalar.text, scope, scalar.place_of(0))
     for node in walk(expr) if "(" in scalar.text else ():
         if isinstance(node, Trig) and not node.angle.terms and abs(node.angle.radians) > FULL_TURN_IN_RADIANS:
