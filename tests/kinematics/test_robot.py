@@ -199,7 +199,7 @@ def test_a_product_may_hold_several_moves_of_one_joint() -> None:
     assert told(caught.value) == ["links.1: d2^2 is not affine in d2 (write a multiple of d2 plus a constant)"]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "fault"),
     [
         ("[1 0 0 5; 0 1 0 6; 0 0 1 7; 0 0 0 1]", ""),

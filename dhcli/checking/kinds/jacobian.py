@@ -13,6 +13,8 @@ from dhcli.checking.motion.asked import Motion, form_of, read_motion
 from dhcli.checking.motion.columns import Columns, columns_of, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion, Typed, axes_step
 from dhcli.checking.motion.grid import Grid
+from dhcli.checking.motion.in_entries import column_signs
+from dhcli.checking.motion.question import MotionQuestion
 from dhcli.checking.motion.reading import unit_of_rates
 from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.verdicts import Mark
@@ -151,8 +153,12 @@ class JacobianQuestion(ColumnsQuestion):
         if self.column:
             yield from self._neighbours(self._grid(case, columns))
 
+    def every(self, case: Case, right: Grid) -> Iterator[tuple[Slip, Grid]]:
+        yield from ColumnsQuestion.every(self, case, right)
+        yield from column_signs(right)
+
     def place(self, row: int, column: int) -> str:
-        return f"{self.row or row + 1},{self.column or column + 1}"
+        return f"{self.row},{self.column}" if self.row else MotionQuestion.place(self, row, column)
 
     def _neighbours(self, grid: Grid) -> Iterator[tuple[Slip, Grid]]:
         """Another column than that asked for."""

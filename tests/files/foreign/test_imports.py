@@ -215,8 +215,8 @@ def test_tables_come_between_any_signs(text: str) -> None:
     assert gap(robot, [0.3, 0.5], standard(0.3, 0, 0.4, math.pi / 2) @ standard(0.5, 0, 0.3, 0)) < 1e-15
 
 
-@pytest.mark.parametrize("first", ["1", "0", "Gelenk 1", "0-1", "L1"])
-@pytest.mark.parametrize(
+@row_by_row("first", ["1", "0", "Gelenk 1", "0-1", "L1"])
+@row_by_row(
     ("head", "sign"),
     [("Gelenk", " | "), ("Gelenk (i)", " | "), ("", "| "), ("Segment", "\t"), ("", "\t"), ("i", ", "), ("", ",")],
 )

@@ -13,6 +13,7 @@ from dhcli.files.yaml.robots import read_robot
 from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
+from tests.row_by_row import row_by_row
 
 FILE = """format: 1
 title: t
@@ -75,7 +76,7 @@ def by_hand_open(a2: float) -> float:
     return 2 * a2 * math.cos(off) + 2 * a2 * math.cos(off) * math.cos(turn)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("parameters", "message"),
     [
         ("a2: 1, a3: 2*a3, r: 1, off: 0", "a3: follows from itself"),
