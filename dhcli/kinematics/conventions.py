@@ -12,6 +12,7 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES
 from dhcli.notation.names import canonical, parts
 from dhcli.notation.tree import ZERO, Expr
+from dhcli.regex import regex
 
 
 class Convention(StrEnum):
@@ -59,16 +60,29 @@ def column_of(head: str) -> tuple[str, bool]:
     return (column, before) if before or subscript in _INDICES[False] else ("", False)
 
 
+_WORD = regex(r"[a-z]+")
 _CALLED = {
-    Convention.STANDARD: ("classic", "classical", "dh", "distal", "paul", "denavit-hartenberg", "original", "sdh"),
-    Convention.MODIFIED: ("craig", "mdh", "proximal", "khalil"),
+    Convention.STANDARD: ("standard", "classic", "classical", "distal", "paul", "original", "sdh"),
+    Convention.MODIFIED: ("modified", "craig", "mdh", "proximal", "khalil"),
     Convention.PRODUCT: ("products", "moves", "home", "matrices"),
 }
+
+
+_ALONE = ("dh", "denavit-hartenberg")
+"""Words that mean the standard convention where nothing else is said."""
+
+
+def conventions_in(text: str) -> frozenset[Convention]:
+    """The conventions of tables that a text speaks of, in the words of books."""
+    words = frozenset(_WORD.findall(text.lower()))
+    tables = (Convention.STANDARD, Convention.MODIFIED)
+    return frozenset(convention for convention in tables if words.intersection(_CALLED[convention]))
 
 
 def convention_hint(word: str, known: Iterable[str]) -> str:
     """What to say of a word that is none of the conventions known: what books call so, or the nearest."""
     meant = next((convention for convention, words in _CALLED.items() if word.lower() in words), None)
+    meant = Convention.STANDARD if word.lower() in _ALONE else meant
     return did_you_mean(word, known) if meant is None else f"write {meant}"
 
 

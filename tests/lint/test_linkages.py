@@ -178,6 +178,11 @@ LOOSE = "format: 1\ntitle: T\nsource: S\nspace: planar\npoints: {A: [0, 0], B: [
         ("ground P crank along X", "axis: 'X' is no direction", "write x"),
         ("ground P crank along A-B", "axis: 'A-B' is no direction", "write A to B"),
         ("{type: R, links: [ground, crank], at: A}", "at: unknown key", "did you mean point?"),
+        (
+            "{type: H, links: [ground, crank], axis: x, pitch: 5 mm/rev}",
+            "5 mm/rev says for each turn, which a pitch is anyway",
+            "write 5 mm",
+        ),
         ("{type: R, between: [ground, crank], point: A}", "between: unknown key", "did you mean links?"),
         ("{type: P, links: [ground, crank], axis: [1 0]}", "axis: a comma stands between values", "write [1, 0]"),
         ("{type: P, links: [ground, crank], axis: [1; 0]}", "axis: a comma stands between values", "write [1, 0]"),

@@ -101,6 +101,15 @@ def test_what_is_no_move_is_told_with_its_column(text: str, message: str | None)
     assert f"{problem.place.column}: {problem.message}" == message  # type: ignore[union-attr]
 
 
+@pytest.mark.parametrize("text", ["Trans(0.4*cos(30), 0, 0)", "Trans(0, l1*sin(45), 0) Rot(z, 90°)"])
+def test_a_cosine_of_degrees_without_their_sign_is_asked_about(text: str) -> None:
+    """As an angle of a turn is; in radians up to a turn, and in degrees with their sign, it is read."""
+    with pytest.raises(NotationError, match="does not say what"):
+        read_chain(text)
+    read_chain(text.replace("30", "30°").replace("45", "45°"))
+    read_chain(text.replace("30", "0.5236").replace("45", "0.7854"))
+
+
 def test_a_factor_keeps_its_text() -> None:
     """For headings of steps."""
     assert [factor.text for factor in parse_factors("Rot(z , 90°) *Trans_x(a) [1 0 0 0;0 1 0 0;0 0 1 0;0 0 0 1]")] == [

@@ -12,7 +12,7 @@ from dhcli.files.foreign.rows import Reader, Whole, robot_of_rows, scope_of
 from dhcli.files.foreign.tables import read_table
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.frozen import frozen
-from dhcli.kinematics.conventions import Convention, convention_hint
+from dhcli.kinematics.conventions import Convention, convention_hint, conventions_in
 from dhcli.kinematics.describe.asked import Asked
 from dhcli.kinematics.describe.description import describe
 from dhcli.kinematics.robot import Robot
@@ -83,7 +83,10 @@ def _from_table(text: str, source: str, wish: Wish, convention: Convention | Non
         place = Place(source, heads.line, 1, text.split("\n")[heads.line - 1])
         if convention is Convention.PRODUCT or said is None:
             message = "a table does not say which convention it is in"
-            raise FileError(Problem(message, place, "add --convention standard or --convention modified"))
+            hint, above = "add --convention standard or --convention modified", text.split("\n")[: heads.line - 1]
+            if len(named := [*conventions_in(" ".join(above))]) == 1:
+                hint = f"the text above it says {named[0]}: add --convention {named[0]}"
+            raise FileError(Problem(message, place, hint))
         raise FileError(Problem(f"these heads are those of the {said} convention", place, f"--convention {said}"))
     whole = Whole(wish.name, wish.name, f"the table {source}", said)
     reader = Reader(scope_of(cell.text for row in rows for cell in row.cells.values()))

@@ -12,7 +12,7 @@ from dhcli.files.yaml.fields import Fields
 from dhcli.files.yaml.joint_values import JointValues
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.robot_loader import Loader
-from dhcli.files.yaml.typed import read_value
+from dhcli.files.yaml.typed import parsed, read_value
 from dhcli.geometry.orthonormal import not_a_rotation
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, axis_called, length, scaled
 from dhcli.kinematics.conventions import Convention
@@ -25,7 +25,6 @@ from dhcli.kinematics.robot import Link, Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.brackets import split
 from dhcli.notation.names import GREEK_NAMES, parts
-from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.tree import ONE, ZERO, Expr
 from dhcli.notation.walk import symbols_in
@@ -255,7 +254,7 @@ class DrawnLoader(Loader):
         found = []
         for piece in pieces:
             try:
-                found.append(to_length(parse(piece.text, self.scope, piece.place_of(0))))
+                found.append(to_length(parsed(piece, self.scope)))
             except NotationError as error:
                 self.problems.take(error)
             except DimensionError as error:

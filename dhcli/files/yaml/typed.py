@@ -7,20 +7,20 @@ from dhcli.files.keys.shapes import FLAGS
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence, as_text
 from dhcli.files.yaml.slips import node_kind
-from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle
+from dhcli.notation.angle import Angle
+from dhcli.notation.dimensions import without_bare_turns
 from dhcli.notation.factors import AXES
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_plain_length, with_unit
 from dhcli.notation.quarters import with_right_angles
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr, Trig
-from dhcli.notation.walk import walk
-from dhcli.notation.writer import write_number
+from dhcli.notation.tree import Expr
 from dhcli.regex import regex
 
 MOST_DIGITS = 3
 _OTHER_UNIT = regex(r".*[\d)]\s*(?P<unit>(?:[cm]?m|rad|°|deg)\s*/\s*s|k?N\s*[*·]?\s*[cm]?m|k?N|k?g|s|rpm|%)\s*")
 """A number in a unit of something else."""
+_A_TURN = regex(r"(.*[\d.)]\s*[cm]?m)\s*(?:/|per)\s*(?:rev|turn|revolution|U)\.?")
 _MOVING = "velocities, rates and forces are numbers in ask:, in m/s, rad/s, N and N m"
 _MOVES = "Trans(0, 0, 0.1) Rot(z, 90°)"
 NOTHING = Scope()
@@ -31,15 +31,16 @@ def parsed(scalar: PlacedScalar, scope: Scope) -> Expr:
     """The expression of a scalar.
 
     Raises:
-        NotationError: It is none, or has a sine of 30, which nobody means in radians.
+        NotationError: It is none, has a sine of 30, which nobody means in radians, or is the pitch of a screw a turn.
     """
+    if pitch := _A_TURN.fullmatch(scalar.text):
+        message = f"{scalar.text} says for each turn, which a pitch is anyway"
+        raise NotationError(Problem(message, scalar.place, f"write {pitch[1]}"))
     expr = parse(scalar.text, scope, scalar.place_of(0))
-    for node in walk(expr) if "(" in scalar.text else ():
-        if isinstance(node, Trig) and not node.angle.terms and abs(node.angle.radians) > FULL_TURN_IN_RADIANS:
-            typed = write_number(abs(node.angle.radians), MOST_DIGITS)
-            message = f"{node.function} of {typed} does not say what {typed} is"
-            raise NotationError(Problem(message, scalar.place, f"write {typed}° for degrees"))
-    return expr
+    try:
+        return without_bare_turns(expr)
+    except DimensionError as error:
+        raise NotationError(Problem(error.message, scalar.place, error.hint)) from None
 
 
 def read_value(  # noqa: PLR0913  what may be said of a value

@@ -245,6 +245,23 @@ def test_other_numbers_under_a_head_that_is_not_known_are_told(texts: tuple[str,
         imported(f"mass,a,alpha,d,theta\n{rows}", convention="standard")
 
 
+@pytest.mark.parametrize(
+    ("above", "hint"),
+    [
+        ("Modified DH parameters", "the text above it says modified: add --convention modified"),
+        ("After Craig (2005)", "the text above it says modified: add --convention modified"),
+        ("The classical table, as usual", "the text above it says standard: add --convention standard"),
+        ("Standard and modified tables differ", "add --convention standard or --convention modified"),
+        ("An arm", "add --convention standard or --convention modified"),
+    ],
+)
+def test_what_a_page_calls_its_convention_is_proposed_and_not_taken(above: str, hint: str) -> None:
+    """It may speak of another table."""
+    with pytest.raises(FileError) as caught:
+        imported(f"{above}\n\n| a | alpha | d | theta |\n|---|---|---|---|\n| 1 | 0 | 0 | q1 |\n")
+    assert [problem.hint for problem in caught.value.problems] == [hint]
+
+
 def test_a_table_in_a_paper_has_units_stars_and_rules() -> None:
     """And text around it with signs of its own."""
     robot = of_file("foreign/scara.tex").copy(parameters={"l2": 0.21})
