@@ -48,6 +48,12 @@ def _open(browser: WebDriver, picture: Picture, folder: Path, name: str = "page"
     browser.get(path.as_uri())
 
 
+LOADED = """
+const [done] = arguments;
+document.readyState === 'complete' ? done() : addEventListener('load', () => done());
+"""
+
+
 def _open_all(browser: WebDriver, pictures: Iterable[Picture], folder: Path) -> None:
     """Many pages side by side, each in a frame of its own: a browser takes longer over a page than over a frame."""
     frames = "".join(f'<iframe srcdoc="{html.escape(picture.page())}"></iframe>' for picture in pictures)
@@ -55,6 +61,7 @@ def _open_all(browser: WebDriver, pictures: Iterable[Picture], folder: Path) -> 
     path.write_text(f"<!DOCTYPE html><style>iframe {{ width: 1200px; height: 800px }}</style>{frames}", "utf-8")
     browser.get_log("performance")
     browser.get(path.as_uri())
+    browser.execute_async_script(LOADED)  # a driver waits for the page, and not always for the frames
 
 
 def _check_silent(browser: WebDriver) -> None:
