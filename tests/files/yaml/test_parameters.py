@@ -141,4 +141,4 @@ def test_a_unit_of_something_else_is_named(unit: str) -> None:
     """And not its letters as names that are not known."""
     with pytest.raises(FileError) as caught:
         robot(PARAMETERS.replace('"atan2(24 mm, 128 mm)"', f"1.5 {unit}"))
-    assert any(f"is in {unit}, a" in problem.message for problem in caught.value.problems)
+    assert any(f"{unit} is no unit of an angle or a length" in problem.message for problem in caught.value.problems)
