@@ -66,8 +66,11 @@ class Angle(Hashed):
         try:
             return self._hashed
         except AttributeError:
-            first = self.terms[0][0] if self.terms else ""
-            return self.hashed((first, len(self.terms), self.degrees.numerator))
+            terms, constant = self.terms, self.degrees.numerator
+            if not terms:
+                return self.hashed(constant)
+            name, factor = terms[-1]
+            return self.hashed((name, factor.numerator, factor.denominator, len(terms), terms[0][0], constant))
 
     @classmethod
     def of(cls, name: str) -> Angle:

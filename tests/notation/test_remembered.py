@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
 import pytest
 from hypothesis import given
@@ -108,6 +109,13 @@ def test_a_product_without_numbers_is_that_with_a_one(factors: list[Expr]) -> No
     """Where nothing is to be gathered, nothing is looked for."""
     assert multiply(*factors) == multiply(ONE, *factors)
     assert hash(multiply(*factors)) == hash(multiply(ONE, *factors))
+
+
+def test_parts_of_an_angle_do_not_share_a_hash() -> None:
+    """A formula in a hundred of them would compare each with all others, wherever they are remembered."""
+    parts = [Fraction(1, k) for k in range(1, 101)] + [Fraction(k) for k in range(2, 101)]
+    for beside in ((), (("theta1", Fraction(1)),)):
+        assert len({hash(Angle((*beside, ("theta2", part)))) for part in parts}) == len(parts)
 
 
 def test_what_is_equal_has_the_same_hash_once_kept() -> None:
