@@ -157,7 +157,7 @@ class JointFormulaQuestion(Question[Formula]):
 
     def causes(self, case: Case, reading: Reading[Formula]) -> Causes:
         cases = self._cases(case)
-        typed = [reading.value.at(one.known) for one in cases]
+        typed = [reading.value.at(one.over) for one in cases]
         found = tuple((slip,) for slip, _, values in self._showing(case) if self._agree(typed, values))
         if not found and not any(covering.tried(reading.value, cases, self._asked, self._derivation(case).robot).hits):
             # a slip, and of its values not all: `atan2(px, py)` where two angles are asked for
@@ -238,7 +238,7 @@ class JointFormulaQuestion(Question[Formula]):
             if covering.tried(formula, self._cases(case), self._asked, derivation.robot).is_right:
                 continue
             seen.add(one.slip.name)
-            yield one.slip, text, [formula.at(each.known) for each in self._cases(case)]
+            yield one.slip, text, [formula.at(each.over) for each in self._cases(case)]
 
     def _agree(self, typed: list[list[float]], values: list[list[float]], *, partly: bool = False) -> bool:
         """Whether two formulas have the same values everywhere; for `partly`, the first some of those of the second."""
