@@ -6,6 +6,7 @@ array exists, and a product with it is never computed. All other numbers only ne
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import Protocol, TypeVar
 
@@ -105,6 +106,14 @@ def evaluate_settled(expr: Expr, over: Evaluator[N]) -> N:
     """The value of a tree as an ordinary number of the arithmetic, never a structural integer."""
     value: N | int = evaluate(expr, over)
     return settled(value, over)
+
+
+def sum_of_products(row: Iterable[N | int], column: Iterable[N | int]) -> N | int:
+    """A row times a column; structural integers in them cost nothing."""
+    total: N | int = 0
+    for a, b in zip(row, column, strict=True):
+        total = plus(total, times(a, b))
+    return total
 
 
 def settled(value: N | int, over: Arithmetic[N]) -> N:

@@ -35,20 +35,14 @@ class SingularQuestion(JacobianTask, Question[Conditions]):
     opening: ClassVar = "singular when"
     words: ClassVar = ("singular",)
     examples: ClassVar = ("singular when linear of 0..3", "singular when 0..6")
+    needs_table: ClassVar = True
+    has_cosines: ClassVar = True
 
     def check(self, robot: Robot | None) -> None:
         self._found(robot)
 
     def _found(self, robot: Robot | None) -> Singularities:
         return listed(*self.motion.check(robot), self.form)
-
-    @property
-    def needs_table(self) -> bool:
-        return True
-
-    @property
-    def has_cosines(self) -> bool:
-        return True
 
     def describe(self, exercise: Exercise) -> str:
         found = self._found(exercise.robot)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Literal
 
@@ -15,7 +16,7 @@ from dhcli.kinematics.inverse.asked import inverse
 from dhcli.kinematics.inverse.question import Question, ask
 from dhcli.kinematics.inverse.reasons import too_far
 from dhcli.kinematics.inverse.running import run
-from dhcli.kinematics.inverse.searching import find, nearest_to
+from dhcli.kinematics.inverse.searching import SEARCHED, find, nearest_to, sampled
 from dhcli.kinematics.inverse.solutions import turning_joints
 from dhcli.kinematics.inverse.solving import Solved, least_singular, representatives, tries
 from dhcli.kinematics.inverse.targets import read_targets
@@ -39,6 +40,9 @@ BLOCK = 2048
 
 NEAREST = 64
 """Poses of a block behind which the nearest one is looked for: where many are beyond reach, that would take hours."""
+
+_TOGETHER = 64
+"""Poses that are searched together for where joints to spare have to be held."""
 
 Each = Literal["all", "nearest", "first"]
 """Which solutions of a pose are wanted: all, the one nearest to some joint values, or one."""
@@ -130,50 +134,86 @@ def numbered(places: Sequence[int], index: NDArray[np.int64], q: Array) -> Array
 
 
 def solved_blocks(
-    question: Question, poses: Array, held: dict[int, float], tolerance: float, threads: int = 1
+    question: Question, poses: Array, held: dict[int, float], tolerance: float, threads: int = 1, *, search: bool = True
 ) -> Iterator[tuple[int, Found]]:
-    """The number of the first pose of each block, and all solutions of the block, block by block."""
+    """The number of the first pose of each block, and all solutions of the block, block by block.
+
+    Poses for which the plan finds nothing are looked for by themselves, if that is wanted.
+    """
 
     def solved(first: int) -> tuple[int, Found]:
-        return first, _solved_block(question, poses[first : first + BLOCK], held, tolerance)
+        goals = question.ready.arm.goal(poses[first : first + BLOCK])
+        plan, best = question.ready.plan, question.best()
+        fixed = {j: np.full(len(goals), held.get(j, float(best[j]))) for j in plan.held}
+        found = _solved_block(question, goals, fixed, tolerance)
+        if not search or (plan.rules == ("ONE",) and len(plan.held) == len(held)):
+            return first, found  # equations in one joint each lose none
+        return first, _searched(question, goals, held, tolerance, found)
 
     return shared(solved, range(0, len(poses), BLOCK), threads)
 
 
-def _solved_block(question: Question, poses: Array, held: dict[int, float], tolerance: float) -> Found:
-    """All solutions of a block of poses, sorted by pose; of a family one member."""
+def _solved_block(question: Question, goals: Array, fixed: dict[int, Array], tolerance: float) -> Found:
+    """What the plan finds of a block of poses with joints held, sorted by pose; of a family one member."""
     ready = question.ready
-    best = question.best()
-    fixed = {j: np.full(len(poses), held.get(j, float(best[j]))) for j in ready.plan.held}
-    found = run(ready.plan, ready.task, ready.arm.goal(poses), tries(ready, best), fixed, tolerance)
+    found = run(ready.plan, ready.task, goals, tries(ready, question.best()), fixed, tolerance)
     loose = np.flatnonzero(found.free)
     if len(loose):
         least = np.ones(len(found.index))
         least[loose] = least_singular(ready, found.motions[loose])
         found = found.take(representatives(ready, found, least)[0])
-    if ready.plan.rules == ("ONE",) and len(ready.plan.held) == len(held):
-        return found  # equations in one joint each lose none
-    return _searched(question, ready.arm.goal(poses), held, tolerance, found)
+    return found
 
 
 def _searched(question: Question, goals: Array, held: dict[int, float], tolerance: float, found: Found) -> Found:
     """What was found, and what is found of each other pose by itself, with joints to spare held elsewhere."""
     ready = question.ready
-    lost = np.flatnonzero(np.bincount(found.index, minlength=len(goals)) == 0)
-    near = [k for k in lost.tolist() if not too_far(ready.arm, ready.task, goals[k])]
-    nowhere = np.zeros(ready.arm.joints), np.inf, np.inf
-
-    def alone_at(rank: int, k: int) -> Solved:
-        nearest = partial(nearest_to, ready, goals[k], held) if rank < NEAREST else lambda: nowhere
-        return find(question, goals[k], held, None, tolerance, nearest)[0]
-
-    alone = [alone_at(rank, k) for rank, k in enumerate(near)]
+    near = [k for k in _lost(found, goals) if not too_far(ready.arm, ready.task, goals[k])]
+    if chosen := [j for j in ready.plan.held if j not in held]:
+        for at in (near[k : k + _TOGETHER] for k in range(0, len(near), _TOGETHER)):
+            more = _held_elsewhere(question, goals[at], held, chosen, tolerance)
+            found = found.joined(replace(more, index=np.array(at)[more.index]))
+        left = set(_lost(found, goals))
+        near = [k for k in near if k in left][:NEAREST]
+    alone = [
+        by_itself(question, goals[k], held, tolerance, to_the_nearest=rank < NEAREST) for rank, k in enumerate(near)
+    ]
     if not any(len(each.motions) for each in alone):
         return found
     motions, residual = (np.concatenate([getattr(each, part) for each in alone]) for part in ("motions", "residual"))
     index = np.repeat(near, [len(each.motions) for each in alone])
     none = np.zeros_like(index)
     return found.joined(Found(index, motions, residual, none, none, none))
+
+
+def _lost(found: Found, goals: Array) -> list[int]:
+    """The poses for which nothing was found."""
+    return np.flatnonzero(np.bincount(found.index, minlength=len(goals)) == 0).tolist()
+
+
+def _held_elsewhere(
+    question: Question, goals: Array, held: dict[int, float], chosen: list[int], tolerance: float
+) -> Found:
+    """The solutions of each pose with joints to spare where they do, as near as can be to where they should stand."""
+    best = question.best(chosen)
+    values = sampled(question, held, chosen, best, SEARCHED)
+    fixed = {j: np.tile(each, len(goals)) for j, each in values.items()}
+    found = _solved_block(question, np.repeat(goals, SEARCHED, axis=0), fixed, tolerance)
+    pose = found.index // SEARCHED
+    away = np.abs(found.motions[:, chosen] - best[chosen]).sum(axis=1)
+    order = np.lexsort((away, pose))
+    first = order[np.diff(pose[order], prepend=-1) > 0]
+    kept = np.isin(found.index, found.index[first])
+    return replace(found, index=pose).take(kept)
+
+
+def by_itself(
+    question: Question, goal: Array, held: dict[int, float], tolerance: float, *, to_the_nearest: bool
+) -> Solved:
+    """What is found of one pose with joints to spare held elsewhere, or behind the pose that comes nearest to it."""
+    nowhere = np.zeros(question.ready.arm.joints), np.inf, np.inf
+    nearest = partial(nearest_to, question.ready, goal, held) if to_the_nearest else lambda: nowhere
+    return find(question, goal, held, None, tolerance, nearest)[0]
 
 
 def _in_turn(question: Question, q: Array) -> Array:

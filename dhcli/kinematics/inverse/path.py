@@ -13,8 +13,10 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.inverse.asked import inverse
-from dhcli.kinematics.inverse.batch import BLOCK, inverse_batch, solved_blocks
-from dhcli.kinematics.inverse.question import ask
+from dhcli.kinematics.inverse.batch import BLOCK, by_itself, inverse_batch, solved_blocks
+from dhcli.kinematics.inverse.path_led import SHORT, STEADY, led_along
+from dhcli.kinematics.inverse.polishing import polished
+from dhcli.kinematics.inverse.question import Question, ask
 from dhcli.kinematics.inverse.solutions import in_numbers, turning_joints
 from dhcli.kinematics.inverse.solving import least_singular
 from dhcli.kinematics.inverse.targets import read_targets
@@ -87,6 +89,9 @@ def follow(  # noqa: PLR0913  what may be asked of a path
 ) -> Path:
     """Joint values along a path of poses, each the nearest to those before it.
 
+    Joints that the task leaves over stand where the path begins; where the path can no longer be followed so, they move
+    along with the others from there on.
+
     Args:
         robot: The robot.
         T: The poses in order, shape (N, 4, 4) [m].
@@ -116,36 +121,68 @@ def follow(  # noqa: PLR0913  what may be asked of a path
         robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters, tolerance=tolerance
     )
     poses, _ = read_targets(T, question.ready.task)
-    turning = turning_joints(robot)
+    turning, goals = turning_joints(robot), question.ready.arm.goal(poses)
     q = np.full((len(poses), len(robot.variables)), np.nan)
-    last = in_numbers(robot, near)
-    for first, found in solved_blocks(question, poses, held, tolerance):
+    last, stride = in_numbers(robot, near), 0.0
+    has_spare = bool(set(question.ready.plan.held) - held.keys())
+    is_led = False  # where joints to spare stand as they did the arm is not any more
+
+    def alone(k: int) -> Array:
+        wish = {"near": last.tolist(), "hold": hold, "start": start, "end": end, "parameters": parameters}
+        return np.asarray(inverse(robot, poses[k], task=task, tolerance=tolerance, **wish).q)
+
+    def in_turn(rows: Array) -> Array:
+        return np.where(turning, rows - 2 * np.pi * np.round((rows - last) / (2 * np.pi)), rows)
+
+    for first, found in solved_blocks(question, poses, held, tolerance, search=not has_spare):
         values = question.values(found.motions)
         bounds = np.searchsorted(found.index, np.arange(min(BLOCK, len(poses) - first) + 1))
         for k, (low, high) in enumerate(zip(bounds[:-1].tolist(), bounds[1:].tolist(), strict=True)):
             rows = values[low:high]
             if found.free[low:high].any():  # of a family the member nearest to where the arm is
-                more = inverse(
-                    robot,
-                    poses[first + k],
-                    task=task,
-                    near=last.tolist(),
-                    hold=hold,
-                    start=start,
-                    end=end,
-                    parameters=parameters,
-                    tolerance=tolerance,
-                )
-                rows = np.asarray(more.q)
+                rows = alone(first + k)
+            rows = in_turn(rows)
+            if has_spare:
+                most = max(SHORT, STEADY * stride)
+                rows, is_led = _going_on(question, goals[first + k], rows, last, most, is_led, tuple(held), tolerance)
+                if not len(rows):
+                    found_alone = by_itself(question, goals[first + k], held, tolerance, to_the_nearest=False)
+                    rows = in_turn(question.values(found_alone.motions))
             if not len(rows):
                 continue
-            rows = np.where(turning, rows - 2 * np.pi * np.round((rows - last) / (2 * np.pi)), rows)
-            last = rows[int(np.argmin(np.linalg.norm(rows - last, axis=1)))]
-            q[first + k] = last
+            on = rows[int(np.argmin(np.linalg.norm(rows - last, axis=1)))]
+            stride = float(np.linalg.norm(on - last))
+            q[first + k] = last = on
     there = ~np.isnan(q).any(axis=1)
     sizes = np.full(len(q), np.inf)
     sizes[there] = least_singular(question.ready, question.motions(q[there]))
     return _described(q, in_numbers(robot, near), sizes)
+
+
+def _going_on(  # noqa: PLR0913, PLR0917  where the arm is, and where it may go
+    question: Question,
+    goal: Array,
+    rows: Array,
+    last: Array,
+    most: float,
+    is_led: bool,  # noqa: FBT001
+    still: tuple[int, ...],
+    tolerance: float,
+) -> tuple[Array, bool]:
+    """Joint values to choose from, shape (K, n), and whether joints to spare move along.
+
+    They do where they did so before, or where none of the rows, at which they stand still, is near enough: then
+    Newton's steps lead from the pose before to this one.
+    """
+    if not is_led and np.linalg.norm(rows - last, axis=1).min(initial=np.inf) <= most:
+        return rows, False
+    ready = question.ready
+    motions, left = polished(ready.arm, ready.task, question.motions(last)[None], goal[None], still)
+    on = last.copy()
+    on[list(question.order)] = question.values(motions[0])[list(question.order)]
+    if left[0] <= tolerance and np.linalg.norm(on - last) <= most:
+        return on[None], True
+    return rows, is_led
 
 
 def _coupled(
@@ -164,8 +201,6 @@ def _coupled(
 
     leading = Leading.of(carried, asked)
     if not carried.is_whole or leading.is_needed(hold):
-        from dhcli.kinematics.inverse.path_led import led_along  # few robots are
-
         q, sizes = led_along(inverse_batch, leading, T, {**asked, "near": near, "hold": hold})
         return _described(q, in_numbers(carried.robot, near), sizes)
     path = follow(carried.arm, T, carried.there(near), hold=carried.held(hold), **asked)

@@ -35,6 +35,9 @@ _REAL = 1e-2
 _ALIKE = 1e-6
 """Half tangents that are so near to each other, in shares of 1 or of their size, may be one that comes twice."""
 
+_SPLIT = 2e-3
+"""Roots whose three angles are all closer than this may be one that rounding has split."""
+
 _SHARE = 0.3782
 """With which share of the other each of two tangents is told from those of other roots."""
 
@@ -143,7 +146,38 @@ def solved(three: Array, two: Array, turn: tuple[float, ...], turning: list[bool
         i, j = np.unravel_index(np.abs(w[:, :, :2]).reshape(len(w), 8).argmax(axis=1), (4, 2))
         s = w[here, i, j + 1] / w[here, i, j]
     tangents = (np.nan_to_num(part.real, nan=0.0, posinf=1e9, neginf=-1e9) for part in (t, r, s))
-    return at.astype(np.int64), [2 * np.arctan(part) + zero for part, zero in zip(tangents, turn, strict=True)]
+    angles = np.stack([2 * np.arctan(part) + zero for part, zero in zip(tangents, turn, strict=True)])
+    more, middles = _middles(at, angles)
+    if len(more):
+        at, angles = np.concatenate([at, more]), np.concatenate([angles, middles], axis=1)
+        order = np.argsort(at, kind="stable")
+        at, angles = at[order], angles[:, order]
+    return at.astype(np.int64), list(angles)
+
+
+def _middles(at: Ints, angles: Array) -> tuple[Ints, Array]:
+    """What stands in the middle of roots that may be one which rounding has split, far more exact than they are.
+
+    Args:
+        at: The row of each root, sorted.
+        angles: The three angles of each, shape (3, M).
+
+    Returns:
+        The row and the angles, shape (3, K), of each.
+    """
+    rows = list[int]()
+    found = [np.empty((3, 0))]
+    order = np.lexsort((angles[0], at))
+    close = (np.diff(at[order]) == 0) & (np.diff(angles[0, order]) < _SPLIT)
+    for row in np.unique(at[order][1:][close]).tolist():
+        own = angles[:, at == row]
+        gaps = own[:, :, None] - own[:, None]
+        gaps -= 2 * np.pi * np.round(gaps / (2 * np.pi))
+        near = np.abs(gaps).max(axis=0) < _SPLIT
+        first = np.flatnonzero((near.sum(axis=1) > 1) & (near.argmax(axis=1) == np.arange(len(near))))
+        rows += [row] * len(first)
+        found += [(own[:, k] - gaps[:, k, near[k]].mean(axis=1))[:, None] for k in first]
+    return np.array(rows, dtype=np.int64), np.concatenate(found, axis=1)
 
 
 def _parted(at: Ints, t: Array, w: Array) -> Array:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -10,7 +10,9 @@ from dhcli.kinematics.inverse.rows import Rows
 from dhcli.kinematics.inverse.steps import Two
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Array, Ints
+    from numpy.typing import NDArray
+
+    from dhcli.kinematics.inverse.arm import Array, Flags, Ints
 
 DEGREE = 4
 """Of the resultant in cosine and sine."""
@@ -21,8 +23,11 @@ _POINTS = 16
 _NEAR_CIRCLE = 1e-2
 """Roots this close to the unit circle are tried; Newton's steps and the robot decide."""
 
-_SPLIT = 1e-5
-"""Roots that are closer than this may be one that rounding has split."""
+_SPLIT, _SPLIT_WIDE = 1e-5, 2e-3
+"""Two roots that are closer than this may be one that rounding has split; so may three or more."""
+
+_VANISHED = 1e-12
+"""A resultant below this everywhere says nothing."""
 
 _FAR = 1e6
 """A length beyond this many reaches is none."""
@@ -60,6 +65,14 @@ def eliminated(rows: Rows, step: Two) -> Rows:
     return found
 
 
+def silent(rows: Rows, step: Two) -> Flags:
+    """Where the resultant vanishes whatever the joint, so that the equations say nothing of it."""
+    pairs = two_equations(rows, step)
+    axes = rows.actions.arm.axes
+    pairs = pairs if axes[step.joint].turns else np.einsum("nekj,ki->neij", pairs, HALVES)
+    return np.asarray(np.abs(_resultant(pairs, turns=axes[step.other].turns)).max(axis=1) < _VANISHED)
+
+
 def two_equations(rows: Rows, step: Two) -> Array:
     """The coefficients of both equations in both joints, shape (N, 2, 3, 3)."""
     loop = rows.loop()
@@ -78,16 +91,21 @@ def roots(pairs: Array, *, turns: bool) -> tuple[Ints, Array]:
     Returns:
         The row and the angle of each root, sorted by row.
     """
+    return unit_roots(_resultant(pairs, turns=turns))
+
+
+def _resultant(pairs: Array, *, turns: bool) -> Array:
+    """The values, at 16 angles, of what is 0 where two equations have a common solution, shape (N, 16)."""
     phi = 2 * np.pi * np.arange(_POINTS) / _POINTS
     basis = np.stack([np.ones(_POINTS), np.cos(phi), np.sin(phi)])
     values = np.einsum("nekj,kp->nepj", pairs, basis)
     (e1, a1, b1), (e2, a2, b2) = (np.moveaxis(values[:, k], 2, 0) for k in range(2))
     cosine, sine, det = b1 * e2 - e1 * b2, e1 * a2 - a1 * e2, a1 * b2 - b1 * a2
     if turns:
-        return unit_roots(cosine**2 + sine**2 - det**2)
+        return np.asarray(cosine**2 + sine**2 - det**2)
     if np.abs(pairs[..., 2]).max(initial=0) < _LINEAR * np.abs(pairs).max(initial=0):
-        return unit_roots(e1 * a2 - a1 * e2)
-    return unit_roots(2 * sine * det - cosine**2)
+        return np.asarray(e1 * a2 - a1 * e2)
+    return np.asarray(2 * sine * det - cosine**2)
 
 
 def unit_roots(values: Array) -> tuple[Ints, Array]:
@@ -107,11 +125,31 @@ def unit_roots(values: Array) -> tuple[Ints, Array]:
     real = np.abs(np.abs(z) - 1) < _NEAR_CIRCLE
     which, k = np.nonzero(real)
     angles = np.angle(z[which, k])
-    # rounding splits a double root by the root of its size: between the two stands the one that equations may vanish at
-    close = np.triu(np.abs(z[:, :, None] - z[:, None]) < _SPLIT, 1) & real[:, :, None] & real[:, None]
-    if close.any():
-        row, i, k = np.nonzero(close)
-        which, angles = np.concatenate([which, row]), np.concatenate([angles, np.angle(z[row, i] + z[row, k])])
+    row, middle = _middles(z, real)
+    if len(row):
+        which, angles = np.concatenate([which, row]), np.concatenate([angles, middle])
         order = np.argsort(which, kind="stable")
         which, angles = which[order], angles[order]
     return usable[which].astype(np.int64), angles
+
+
+def _middles(z: NDArray[Any], real: Flags) -> tuple[Ints, Array]:
+    """Where roots stand that rounding has split: a double one by the root of its size, a fourfold one by its fourth.
+
+    Between those it was split into stands the one that equations may vanish at.
+
+    Args:
+        z: Roots, shape (N, 8).
+        real: Which of them are near the circle, shape (N, 8).
+
+    Returns:
+        The row and the angle of each.
+    """
+    apart = np.where(real[:, :, None] & real[:, None], np.abs(z[:, :, None] - z[:, None]), np.inf)
+    row, i, k = np.nonzero(np.triu(apart < _SPLIT, 1))
+    wide = apart < _SPLIT_WIDE
+    if not np.triu(wide, 1).any():
+        return row, np.empty(0)
+    many, first = np.nonzero((wide.sum(axis=2) > 2) & (wide.argmax(axis=2) == np.arange(z.shape[1])))  # noqa: PLR2004
+    middle = np.einsum("nk,nk->n", wide[many, first], z[many])
+    return np.concatenate([row, many]), np.angle(np.concatenate([z[row, i] + z[row, k], middle]))

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.kinematics.inverse.rows import ROUNDED
-from dhcli.kinematics.inverse.steps import All, Plan, Step
+from dhcli.kinematics.inverse.steps import All, One, Plan, Step
 from dhcli.kinematics.inverse.tasks import Task
 from dhcli.kinematics.inverse.trying import CONFIRMED, Found, once, tried
 
@@ -47,11 +47,13 @@ def run(
         from dhcli.kinematics.inverse.measured import beside  # an arm as it is drawn needs none of it
 
         found = beside(plan, task, goal, draws, held, tolerance, found)
-    if not any(isinstance(step, All) for step in plan.steps):
+    if all(isinstance(step, One) for step in plan.steps):
         return found
     from dhcli.kinematics.inverse.elsewhere import elsewhere  # most arms need it nowhere
 
     found = elsewhere(plan, task, goal, draws, held, tolerance, found)
+    if not any(isinstance(step, All) for step in plan.steps):
+        return found
     if len(plan.actions.arm.axes) != FULL:
         return found
     # roots of six joints come in pairs: where one is alone, or there is none, angles are counted from another zero

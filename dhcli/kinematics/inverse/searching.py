@@ -57,9 +57,9 @@ def find(
         solved = solve(ready, goal, best, fixed, tolerance)
         return solved if len(solved.motions) else _searched(question, goal, nearest(), tolerance), []
     count = family or 1
-    solved = solve(ready, goal, best, _sampled(question, held, chosen, best, count), tolerance)
+    solved = solve(ready, goal, best, sampled(question, held, chosen, best, count), tolerance)
     if not len(solved.motions) and family is None:
-        solved = solve(ready, goal, best, _sampled(question, held, chosen, best, SEARCHED), tolerance)
+        solved = solve(ready, goal, best, sampled(question, held, chosen, best, SEARCHED), tolerance)
         if len(solved.motions):
             distance = np.abs(solved.motions[:, chosen] - best[chosen]).sum(axis=1)
             at = np.flatnonzero(solved.index == solved.index[int(np.argmin(distance))])
@@ -68,7 +68,7 @@ def find(
     if not len(solved.motions) and family is None:
         motions, apart, angle = nearest()
         if max(apart / ready.arm.reach, angle) < REACHED:
-            solved = solve(ready, goal, motions, _sampled(question, held, chosen, motions, 1), tolerance)
+            solved = solve(ready, goal, motions, sampled(question, held, chosen, motions, 1), tolerance)
             solved = solved if len(solved.motions) else solve(ready, goal, motions, None, tolerance, motions)
     more = f"{question.robot.name} has {plural(ready.spare, 'joint')} more than this needs"
     return solved, [f"{more}: {_held_words(question, chosen, solved, family)}"]
@@ -103,9 +103,7 @@ def _held_words(question: Question, chosen: list[int], solved: Solved, family: i
     return f"held {', '.join(shown)}{there}"
 
 
-def _sampled(
-    question: Question, held: dict[int, float], chosen: list[int], best: Array, count: int
-) -> dict[int, Array]:
+def sampled(question: Question, held: dict[int, float], chosen: list[int], best: Array, count: int) -> dict[int, Array]:
     """Values of the joints held, as many for each that was chosen as asked for."""
     ready = question.ready
     limits = limits_of(question.robot)[list(question.order)] * ready.arm.factors[:, None]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,7 +12,16 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.arm import nearest_turn
 from dhcli.kinematics.inverse.matrices import value_of
 from dhcli.kinematics.inverse.motions import DIRECTION, POINT
-from dhcli.kinematics.inverse.polishing import ROUNDING, extent, polished, product, residuals
+from dhcli.kinematics.inverse.polishing import (
+    ROUNDING,
+    SINGULAR,
+    extent,
+    jacobian,
+    polished,
+    product,
+    residuals,
+    spread,
+)
 from dhcli.kinematics.inverse.rows import Rows
 from dhcli.kinematics.inverse.rule_one import read_off
 from dhcli.kinematics.inverse.steps import All, Plan, Two
@@ -26,6 +36,9 @@ stand far out."""
 
 _POLISH = 2e-14
 """Candidates above this are led nearer by Newton's steps."""
+
+_STARTS = 64
+"""Places that Newton's steps begin at where no equations help."""
 
 _CLOSE = 1e-3
 """Solutions closer than this may be one that rounding has split [rad, reaches]."""
@@ -74,12 +87,53 @@ class Found:
 
 
 def tried(plan: Plan, task: Task, goal: Array, draws: Array, held: Mapping[int, Array], tolerance: float) -> Found:
-    """The solutions that a plan finds, each once."""
-    return once(plan, task, goal, confirmed(plan, task, candidates(plan, goal, draws, held), tolerance))
+    """The solutions that a plan finds, each once.
+
+    Where equations say nothing of a joint it may be free, or follow together with others only: where no value tried for
+    it leads to an arm that can move, Newton's steps find what there is.
+    """
+    tried_at = np.zeros(len(goal), dtype=bool)
+    found = confirmed(plan, task, candidates(plan, goal, draws, held, tried_at), tolerance)
+    if tried_at.any():
+        free = found.take(found.free != 0)
+        tried_at[free.index[~_regular(plan, task, free.motions)]] = False
+    if (at := np.flatnonzero(tried_at)).size:
+        more = led(plan, task, goal[at], {j: value[at] for j, value in held.items()}, tolerance)
+        found = found.joined(replace(more, index=at[more.index]))
+    return once(plan, task, goal, found)
 
 
-def candidates(plan: Plan, goal: Array, draws: Array, held: Mapping[int, Array]) -> Rows:
-    """What the steps of a plan make of poses."""
+def led(plan: Plan, task: Task, goal: Array, held: Mapping[int, Array], tolerance: float) -> Found:
+    """What Newton's steps from many places lead to, where no equations help.
+
+    Those that can move without moving the end are left out: they would be many of one family.
+    """
+    index = np.repeat(np.arange(len(goal)), _STARTS)
+    begun = np.tile(np.pi * (2 * spread(_STARTS, plan.actions.arm.joints, 3) - 1), (len(goal), 1))
+    for j, value in held.items():
+        begun[:, j] = value[index]
+    found = confirmed(plan, task, Rows.start(plan.actions, goal[index], {}), tolerance, begun)
+    return replace(found, index=index[found.index]).take(_regular(plan, task, found.motions))
+
+
+def _regular(plan: Plan, task: Task, motions: Array) -> Flags:
+    """Where an arm, motions (M, n), cannot move without moving its end, shape (M,)."""
+    slope = np.delete(jacobian(plan.actions.arm, task, motions)[1], list(plan.held), axis=2)
+    if slope.shape[1] < slope.shape[2] or not slope.shape[2]:
+        return np.zeros(len(motions), dtype=bool)
+    return np.asarray(np.linalg.svd(slope, compute_uv=False)[:, -1] > SINGULAR)
+
+
+def candidates(plan: Plan, goal: Array, draws: Array, held: Mapping[int, Array], tried_at: Flags | None = None) -> Rows:
+    """What the steps of a plan make of poses.
+
+    Args:
+        plan: The plan.
+        goal: What the product of the joint motions has to be, shape (P, 4, 4).
+        draws: Motions to try for a joint that is free, for each joint, shape (n, k).
+        held: Motions of the joints that are held, each (P,).
+        tried_at: Takes at which poses values were tried for a joint, shape (P,).
+    """
     arm = plan.actions.arm
     known = {j: value_of(value, turns=arm.axes[j].turns) for j, value in held.items()}
     rows = Rows.start(plan.actions, goal, known, plan.slack)
@@ -94,6 +148,8 @@ def candidates(plan: Plan, goal: Array, draws: Array, held: Mapping[int, Array])
             rows = all_at_once(rows, step)
         else:
             rows = read_off(rows, step, draws[step.joint])
+        if tried_at is not None:
+            tried_at[rows.index[rows.free != 0]] = True
     return rows
 
 

@@ -36,6 +36,8 @@ def from_all(rows: Rows, step: One, draws: Array) -> Rows:
     """Candidates with one joint more, from every equation there is in it."""
     loop = rows.loop()
     tensor = np.concatenate([loop.tensor(cut, (step.joint,)) for cut in step.cuts], axis=1)
+    if tensor.shape[1] == 1:  # one equation gives one of two numbers
+        tensor = np.concatenate([tensor, np.zeros_like(tensor)], axis=1)
     left, sizes, directions = np.linalg.svd(tensor[:, :, 1:], full_matrices=False)
     constants = -np.einsum("nmk,nm->nk", left, tensor[:, :, 0])
     most = np.maximum(MOST, UNKNOWN * rows.loss)

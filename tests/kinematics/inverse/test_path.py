@@ -65,3 +65,19 @@ def test_a_path_needs_joint_values_to_begin_with() -> None:
     """They choose the branch."""
     with pytest.raises(RobotError, match="begin near to"):
         follow(load_robot("puma560"), np.eye(4)[None], None)
+
+
+@pytest.mark.parametrize("seed", [0, 1, 4])
+def test_an_arm_with_a_joint_to_spare_goes_on_where_it_cannot_stand_still(seed: int) -> None:
+    """A path of a Panda on which its last joint would have to jump to another value: it moves along instead."""
+    rng = np.random.default_rng(seed)
+    robot = load_robot("panda")
+    first = np.array([0, -0.3, 0, -1.8, 0, 1.6, 0.8]) + rng.uniform(-0.5, 0.5, 7)
+    last = first + rng.uniform(-1.2, 1.2, 7)
+    poses = forward_batch(robot, first + np.linspace(0, 1, 200)[:, None] * (last - first))
+    path = follow(robot, poses, first.tolist())
+    assert path.lost == path.jumps == ()
+    assert np.abs(np.diff(path.q, axis=0)).max() < 0.25
+    assert np.abs(forward_batch(robot, path.q) - poses).max() < 1e-11
+    held = follow(robot, poses[:20], first.tolist(), hold={"theta7": float(first[6])})
+    assert np.ptp(held.q[:, 6]) == 0  # where it is said it stands still

@@ -1,0 +1,107 @@
+"""Poses of special values at which equations vanish or have roots that come several times: nothing is lost there."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from dhcli import forward, inverse
+from dhcli.files.yaml.robots import read_robot
+from dhcli.kinematics.robot import Robot
+from tests.nightly import NIGHT
+
+HALF, WHOLE = np.pi / 2, np.pi
+
+
+def drawn(convention: str, rows: str) -> Robot:
+    """A robot from rows of alpha [degrees], a, d and theta; each is a joint's."""
+    cells = [row.split() for row in rows.split(", ")]
+    names = [next(x for x in ("d", "theta") if x in "".join(row)) + str(k) for k, row in enumerate(cells, 1)]
+    links = [
+        f"  - {{alpha: {alpha}°, a: {a}, d: {d.replace('d', name)}, theta: {theta.replace('theta', name)}}}"
+        for (alpha, a, d, theta), name in zip(cells, names, strict=True)
+    ]
+    head = (
+        f"format: 1\ntitle: drawn\nsource: for the tests\nconvention: {convention}\nvariables: [{', '.join(names)}]\n"
+    )
+    return read_robot(head + "links:\n" + "\n".join(links) + "\n", "drawn.yaml", "drawn")
+
+
+LOST = {
+    # a resultant with a root that comes four times
+    "fourfold": (
+        "modified",
+        "0 0 0 theta-90°, 90 0.3 0 theta+180°, 0 0.2 0 theta, 90 0.4 0.3 theta+180°, 90 0.3 0.2 theta+90°",
+        (WHOLE, 0, WHOLE, 0, 0),
+    ),
+    # a resultant that vanishes whatever the joint
+    "silent": (
+        "modified",
+        "0 0.4 0.1 theta+90°, -90 0.2 0 theta+90°, 90 0.1 0 theta+180°, 0 0 d 90°, -90 0.1 0.2 theta+180°",
+        (WHOLE, WHOLE, 0, 0.3, 0),
+    ),
+    # three joints at once, of which roots come twice, and four times
+    "twofold, three joints": (
+        "modified",
+        "180 0 .1 theta+90°, -90 0 .1 theta-90°, 90 .4 .2 theta, 90 .2 .2 theta, 90 .3 0 theta, 90 .3 .1 theta+180°",
+        (0, HALF, -HALF, 0, WHOLE, HALF),
+    ),
+    "fourfold, three joints": (
+        "modified",
+        "180 0 0.2 theta+180°, -90 0 0.1 theta, 0 0.2 0 theta, -90 0.1 0 theta, -90 0 0.2 theta, -90 0 0.1 theta",
+        (-HALF, -HALF, 0, 0, WHOLE, 0),
+    ),
+    # the one equation of a joint vanishes, which others determine together with it
+    "together": (
+        "standard",
+        "90 0 0.1 theta+90°, -90 0.4 0.2 theta-90°, 0 0.1 0.1 theta+90°, -90 0.1 0.1 theta+90°, 0 0.4 0 theta",
+        (np.pi / 6, HALF, np.pi / 6, HALF, WHOLE),
+    ),
+    # one equation, of two numbers, is all that is left of a joint
+    "one equation": (
+        "standard",
+        "-90 .2 .3 theta+90°, 180 .1 .1 theta-90°, -90 .3 .2 theta-180°, 0 .3 .2 theta-180°, 0 .2 d 90°, 90 0 .3 theta",
+        (0, WHOLE, HALF, HALF, 0.3, 0),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", LOST)
+def test_joint_values_of_a_special_pose_are_among_its_solutions(name: str) -> None:
+    """Or in one of its families, which goes through them; every solution reaches the pose."""
+    convention, rows, q = LOST[name]
+    robot = drawn(convention, rows)
+    assert is_found(robot, np.array(q))
+
+
+def is_found(robot: Robot, q: np.ndarray) -> bool:
+    """Whether joint values are among the solutions of where they stand, as they are or in a family."""
+    pose = np.round(np.array(forward(robot, q.tolist()).matrix), 14) + 0.0
+    found = inverse(robot, dict(zip(robot.variables, q.tolist(), strict=True)))  # joints to spare stand there
+    for row in found.q:
+        assert np.abs(np.array(forward(robot, row.tolist()).matrix) - pose).max() < 1e-9
+    if found.distances(q.tolist()).min(initial=9) < 1e-6:
+        return True
+    for ways in found.free:
+        held = {way.joint: float(q[robot.variables.index(way.joint)]) for way in ways}
+        if held and inverse(robot, pose, hold=held).distances(q.tolist()).min(initial=9) < 1e-5:
+            return True
+    return False
+
+
+def test_nearly_no_arm_at_right_angles_loses_its_own_joint_values() -> None:
+    """Arms of five and six joints, one of which may slide, drawn at right angles, at multiples of them."""
+    rng = np.random.default_rng(2)
+    lost, arms = 0, 60 if NIGHT else 6
+    for _ in range(arms):
+        count, slide = int(rng.integers(5, 7)), int(rng.integers(0, 12))
+        rows = []
+        for k in range(count):
+            alpha, a, d = rng.choice([0, 90, -90, 90, -90]), rng.choice([0, 0, 0.1, 0.2]), rng.choice([0, 0, 0.1, 0.3])
+            rows.append(f"{alpha} {a} d 0" if k == slide else f"{alpha} {a} {d} theta")
+        robot = drawn("standard", ", ".join(rows))
+        for _ in range(4):
+            q = rng.choice([0, HALF, -HALF, WHOLE], count)
+            q[slide : slide + 1] = 0.2
+            lost += not is_found(robot, q)
+    assert lost <= arms * 4 / 100
