@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypeVar
 
-from dhcli.algebra.arithmetic import Arithmetic, plus, settled
+from dhcli.algebra.arithmetic import Arithmetic, plus
 from dhcli.geometry.motion import Rows, identity, product, rotate
 from dhcli.kinematics.moves import PLANES, Chain, Fixed, Rot, Trans
 
@@ -25,8 +25,9 @@ def fold(chain: Chain, over: Arithmetic[N]) -> tuple[tuple[N, ...], ...]:
         The homogeneous matrix, shape (4, 4), of the arithmetic's numbers; translation in metres.
     """
     rows = fold_rows(chain, over)
-    finished = tuple([tuple([settled(entry, over) for entry in row]) for row in rows])
     zero, one = over.constant(0), over.constant(1)
+    # Settled without a call for each: in floats that would take as long as to multiply.
+    finished = tuple([tuple([over.constant(e) if isinstance(e, int) else e for e in row]) for row in rows])
     return (*finished, (zero, zero, zero, one))
 
 

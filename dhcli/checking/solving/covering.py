@@ -9,6 +9,7 @@ import math
 import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.solving.derived import values_at
@@ -49,6 +50,11 @@ class Case:
     right: float
     others: tuple[tuple[Known, float], ...]
     ends: tuple[float, ...] = ()
+
+    @cached_property
+    def over(self) -> Floats:
+        """What formulas are evaluated over: what they share is worked out once."""
+        return Floats(self.known)
 
 
 @frozen
@@ -100,7 +106,7 @@ def points(
 
 def _ends(textbook: Formula, known: Known, values: Sequence[float], asked: Asked) -> tuple[float, ...]:
     """Values of the textbook formula that are those of no solution: with them the rest of the arm is too short."""
-    return tuple(end for end in textbook.at(known) if not any(asked.same(end, value) for value in values))
+    return tuple(end for end in textbook.at(Floats(known)) if not any(asked.same(end, value) for value in values))
 
 
 def _close(one: Angle | float, other: Angle | float, *, turns: bool) -> bool:
@@ -168,7 +174,7 @@ def tried(formula: Formula, cases: Sequence[Case], asked: Asked, robot: Robot) -
     own = {name for name, _ in asked.terms}
     used = [name for name in robot.variables if name in formula.names and name not in own]
     hits, strangers, silent, wrapped = list[bool](), list[bool](), 0, True
-    found = tuple(formula.at(case.known) for case in cases)
+    found = tuple(formula.at(case.over) for case in cases)
     for case, values in zip(cases, found, strict=True):
         silent += not values
         agreeing = [
@@ -199,7 +205,7 @@ def where(flags: Sequence[bool], cases: Sequence[Case], asked: Asked, candidates
     if asked.turns and (found := telling(name, [math.remainder(case.right, math.tau) for case in cases])):
         return found
     for name, expr in candidates:
-        if found := telling(name, [Floats(case.known).value(expr) for case in cases]):
+        if found := telling(name, [case.over.value(expr) for case in cases]):
             return found
     return ""
 

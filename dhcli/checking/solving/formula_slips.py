@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from itertools import combinations, islice
 
+from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import draws
 from dhcli.checking.diagnosis.by_entry import slip_in
 from dhcli.checking.diagnosis.mistakes.in_terms import IN_ENTRY, Among
@@ -49,7 +50,7 @@ def slips_in_terms(typed: Formula, step: Step, robot: Robot, asked: Asked, cases
     """
     if not cases:
         return ()
-    points = tuple(islice(_near(cases), POINTS))
+    points = tuple(map(Floats, islice(_near(cases), POINTS)))
     wanted = [typed.at(point) for point in points]
     if sum(map(bool, wanted)) < LEAST:
         return ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import chain, product
 
@@ -13,7 +13,6 @@ from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.units import ONE as METRE
 from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen
-from dhcli.notation.angle import Angle
 from dhcli.notation.brackets import split
 from dhcli.notation.dimensions import ANGLE_UNITS, LENGTH_UNITS, DimensionError, dimension, has_units, is_inverse
 from dhcli.notation.names import canonical
@@ -69,9 +68,8 @@ class Formula:
         """Whether a number stands in it that may be a length, and is no factor of a formula in letters."""
         return any(isinstance(n, Number) and abs(n.value) not in _FACTORS for value in self.values for n in walk(value))
 
-    def at(self, point: Mapping[str, Angle | float]) -> list[float]:
+    def at(self, over: Floats) -> list[float]:
         """Its real values at a point, angles in radians."""
-        over = Floats(point)
         return [value for value in map(over.value, self.values) if math.isfinite(value)]
 
 

@@ -44,6 +44,13 @@ class Axis:
     point: tuple[float, float, float] = (0.0, 0.0, 0.0)
     factor: float = 1.0
 
+    @cached_property
+    def turn(self) -> tuple[Array, Array, Array]:
+        """What a turn leaves, what it has of its cosine and what of its sine, three matrices (Rodrigues)."""
+        x, y, z = self.direction
+        along = np.outer(self.direction, self.direction)
+        return along, np.eye(3) - along, np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+
 
 @frozen
 class Arm:

@@ -52,15 +52,12 @@ def motion(axis: Axis, value: Array) -> Array:
     """The motion of a joint, for values (N,), shape (N, 4, 4)."""
     result = np.zeros((len(value), 4, 4))
     result[:, 3, 3] = 1
-    a = np.array(axis.direction)
     if not axis.turns:
         result[:, [0, 1, 2], [0, 1, 2]] = 1
-        result[:, :3, 3] = value[:, None] * a
+        result[:, :3, 3] = value[:, None] * np.array(axis.direction)
         return result
-    hat = np.array([[0, -a[2], a[1]], [a[2], 0, -a[0]], [-a[1], a[0], 0]])
-    c, s = np.cos(value)[:, None, None], np.sin(value)[:, None, None]
-    along = np.outer(a, a)
-    turn = along + c * (np.eye(3) - along) + s * hat
+    along, across, around = axis.turn
+    turn = along + np.cos(value)[:, None, None] * across + np.sin(value)[:, None, None] * around
     result[:, :3, :3] = turn
     p = np.array(axis.point)
     result[:, :3, 3] = p - turn @ p
