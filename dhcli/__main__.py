@@ -13,9 +13,7 @@ def main() -> int:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         from dhcli.cli.main import main as run
-        from dhcli.cli.shell.sparing import NUMPY, spare
 
-        spare("numpy", NUMPY)
         return run()
     except KeyboardInterrupt:  # so early that nothing is there yet to say it
         return 130

@@ -129,9 +129,9 @@ def listed(names: Sequence[str], most: int = 12) -> str:
     return ", ".join(names[:most]) + more
 
 
-def joined(words: Sequence[str], last: str = "and") -> str:
-    """`a, b and c`; one word stands by itself."""
-    *before, end = words
+def joined(words: Iterable[object], last: str = "and") -> str:
+    """`a, b and c`; a single one stands by itself."""
+    *before, end = map(str, words)
     return f"{', '.join(before)} {last} {end}" if before else end
 
 

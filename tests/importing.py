@@ -1,8 +1,7 @@
 """A program that says what commands import: `python importing.py LINE ...` writes a list of one object for each line.
 
-Each command runs in a process of its own, forked from one in which typer is imported, as every command imports it; so
-a table of all commands costs what the commands cost, and no start of Python. What is noted is who imported a module
-first.
+Each command runs in a process of its own, forked from one that has imported what every command begins with; so a table
+of all commands costs what the commands cost, and no start of Python. What is noted is who imported a module first.
 """
 
 from __future__ import annotations
@@ -15,7 +14,7 @@ import runpy
 import sys
 from contextlib import redirect_stderr, redirect_stdout
 
-import typer  # noqa: F401  see above
+import typer  # noqa: F401  before anything is noted
 
 
 class Notes:
@@ -33,13 +32,14 @@ class Notes:
         self.asked.setdefault(name, frame.f_globals["__name__"])
 
 
+NOTES = Notes()
+
+
 def noted(line: str) -> dict[str, object]:
     """Run a command here: its exit code, what it says beside its result, and of each module it imports who asked.
 
     And how many objects Python will look through for garbage when it ends.
     """
-    notes = Notes()
-    sys.meta_path.insert(0, notes)  # type: ignore[arg-type]
     sys.argv[:] = ["dhcli", *line.split()]
     code: object = None
     with redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()) as said:
@@ -48,7 +48,7 @@ def noted(line: str) -> dict[str, object]:
         except SystemExit as ended:
             code = ended.code
     left = len(gc.get_objects())
-    asked = {name: asker for name, asker in notes.asked.items() if name in sys.modules}
+    asked = {name: asker for name, asker in NOTES.asked.items() if name in sys.modules}
     return {"code": code or 0, "said": said.getvalue(), "asked": asked, "left": left}
 
 
@@ -71,4 +71,8 @@ def in_a_process(line: str) -> object:
 
 
 if __name__ == "__main__":
+    sys.meta_path.insert(0, NOTES)  # type: ignore[arg-type]
+    import dhcli.cli.app
+    import dhcli.cli.main  # noqa: F401  see above
+
     json.dump([in_a_process(line) for line in sys.argv[1:]], sys.stdout)

@@ -1,7 +1,10 @@
 """The benchmark program: what is wrong is not timed, what is missing is said, and the arithmetic of its table."""
 
+import os
+import runpy
 import subprocess
 import sys
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,6 +13,7 @@ import pytest
 
 from dhcli import forward, jacobian, load_robot
 from dhcli.cli.app import COMMANDS
+from tests.cli.running import PIPES, start
 
 BENCH = Path(__file__).parent / "bench"
 
@@ -20,12 +24,20 @@ def bench_on_path(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.syspath_prepend(str(BENCH))
 
 
-def test_the_program_prints_a_table_for_each_group_asked_for() -> None:
-    """As README starts it, with the smallest number of rounds."""
-    program = [sys.executable, str(BENCH), "pose", "parsing", "--rounds", "1"]
-    done = subprocess.run(program, capture_output=True, encoding="utf-8", timeout=120, check=False)
-    assert done.returncode == 0, done.stderr
-    lines = done.stdout.splitlines()
+def program(words: Sequence[str]) -> int:
+    """What README starts."""
+    sys.argv[1:] = words
+    runpy.run_path(str(BENCH), run_name="__main__")
+    return 0
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="the program runs in a copy of this process")
+def test_the_program_prints_a_table_for_each_group_asked_for(tmp_path: Path) -> None:
+    """With the smallest number of rounds."""
+    with start(tmp_path, "pose", "parsing", "--rounds", "1", work=program, **PIPES) as running:
+        out, err = running.communicate(timeout=120)
+    assert running.returncode == 0, err
+    lines = out.splitlines()
     assert [line for line in lines if line in {"pose", "parsing", "batch"}] == ["pose", "parsing"]
     row = next(line for line in lines if line.startswith("| one pose of puma560") and "numpy" in line)
     *_, ours, theirs, ratio, spread, _ = (cell.strip() for cell in row.split("|"))
@@ -252,6 +264,8 @@ def test_start_up_is_held_against_one_unit(tmp_path: Path, monkeypatch: pytest.M
     for name in ("PYTHONPYCACHEPREFIX", "XDG_DATA_HOME"):  # the group sets these; put back at the end
         monkeypatch.setenv(name, "")
     monkeypatch.setenv("PYTHONDONTWRITEBYTECODE", "1")
+    monkeypatch.setattr(startup, "furnish", lambda _home: None)
+    monkeypatch.setattr(startup, "UNIT", "import sys")
     row = Row("a command", "the whole process", startup.UNIT, ((0.3, 0.2), (0.2, 0.2), (0.4, 0.2)))
     assert startup.in_units(row, 300, 200) == "1.50 units, 1.50 by instructions"
     assert startup.in_units(row, 0, 0) == "1.50 units"

@@ -6,6 +6,7 @@ array exists, and a product with it is never computed. All other numbers only ne
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import Protocol, TypeVar
 
@@ -77,20 +78,20 @@ def evaluate(expr: Expr, over: Evaluator[N]) -> N | int:
     if type(expr) is Symbol:
         return over.symbol(expr.name)
     if type(expr) is Product:
-        product: N | int = 1
-        for factor in expr.factors:
+        product: N | int = evaluate(expr.factors[0], over)
+        for factor in expr.factors[1:]:
             part: N | int = evaluate(factor, over)
             product = times(product, part)
         return product
     if type(expr) is Sum:
-        total: N | int = 0
-        for term in expr.terms:
+        total: N | int = evaluate(expr.terms[0], over)
+        for term in expr.terms[1:]:
             part = evaluate(term, over)
             total = plus(total, part)
         return total
     if type(expr) is Number:
-        value = expr.value  # asked of two integers: to compare a fraction takes ten times as long
-        return value.numerator if value.denominator == 1 and -1 <= value.numerator <= 1 else over.number(value)
+        upper, lower = expr.value.as_integer_ratio()  # to compare a fraction takes ten times as long
+        return upper if lower == 1 and -1 <= upper <= 1 else over.number(expr.value)
     match expr:
         case Power(base, exponent):
             return over.power(evaluate_settled(base, over), exponent)
@@ -105,6 +106,14 @@ def evaluate_settled(expr: Expr, over: Evaluator[N]) -> N:
     """The value of a tree as an ordinary number of the arithmetic, never a structural integer."""
     value: N | int = evaluate(expr, over)
     return settled(value, over)
+
+
+def sum_of_products(row: Iterable[N | int], column: Iterable[N | int]) -> N | int:
+    """A row times a column; structural integers in them cost nothing."""
+    total: N | int = 0
+    for a, b in zip(row, column, strict=True):
+        total = plus(total, times(a, b))
+    return total
 
 
 def settled(value: N | int, over: Arithmetic[N]) -> N:

@@ -70,7 +70,7 @@ class Floats:
         if expr is ZERO:
             return 0
         if type(expr) is Number:
-            return 0 if not expr.value else float(expr.value)
+            return self.number(expr.value) if expr.value else 0
         return evaluate(expr, self)
 
     def value(self, expr: Expr) -> float:
@@ -82,8 +82,8 @@ class Floats:
         return float(value)
 
     def number(self, value: Fraction) -> float:
-        """The nearest float."""
-        return float(value)
+        """The nearest float; a quotient of two integers is one."""
+        return value.numerator / value.denominator
 
     def symbol(self, name: str) -> float:
         """Value of a name; an angle outside a cosine counts in radians."""

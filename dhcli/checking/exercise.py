@@ -50,6 +50,9 @@ FIGURES = 3
 MOST_RECENT = 500
 """Things of one kind that answers bring along and that are kept: entries, mostly, that many students write alike."""
 
+_MISSING = object()
+"""Stands for what is not known yet."""
+
 MISPRINTED = "this is what the document prints; it is a misprint"
 
 
@@ -73,18 +76,20 @@ class Memo:
 
     def of(self, key: object, make: Callable[[], R]) -> R:
         """What is kept under a key, made when it is first asked for."""
-        if key not in self._known:
-            self._known[key] = make()
-        return cast("R", self._known[key])
+        found = self._known.get(key, _MISSING)
+        if found is _MISSING:
+            found = self._known[key] = make()
+        return cast("R", found)
 
     def recent(self, kind: object, key: object, make: Callable[[], R]) -> R:
         """The same for what answers bring along, of each kind of which no more is kept than a class has alike."""
-        known: dict[object, R] = self.of(kind, dict)
-        if key not in known:
+        known: dict[object, object] = self.of(kind, dict)
+        found = known.get(key, _MISSING)
+        if found is _MISSING:
             if len(known) >= MOST_RECENT:
                 known.clear()
-            known[key] = make()
-        return known[key]
+            found = known[key] = make()
+        return cast("R", found)
 
     def in_unit(self, unit: str) -> Memo:
         """What is worked out for the same exercise with a sheet in another unit."""

@@ -13,13 +13,13 @@ from dhcli.checking.frames.rules import Rules
 from dhcli.checking.frames.sketch import at_values
 from dhcli.checking.returned import Overlaid
 from dhcli.checking.wanted import Wanted
-from dhcli.geometry.vectors import Vector
+from dhcli.geometry.vectors import Vector, plus
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.traced import Traced
-from dhcli.scene.vectors import Frame, add
+from dhcli.scene.vectors import Frame
 
 DRAWN = frozenset({"pose", "rotation", "position"})
 """Pieces of a matrix that say where a frame is, or how it is turned."""
@@ -46,7 +46,7 @@ def overlaid_matrix(exercise: Exercise, question: Wanted, entries: Entries, valu
     if question.piece != "position":
         x, y, z = (seen_from.direction(_vec(column)) for column in columns[:3])
     if question.piece != "rotation":
-        origin = add(seen_from.direction(_vec(columns[-1])), seen_from.origin)
+        origin = plus(seen_from.direction(_vec(columns[-1])), seen_from.origin)
     frame = Frame(x, y, z, origin)
     shown = next(name for name, state in reversed(skeleton.numbered) if skeleton.states[state] is place[end])
     return Overlaid(robot, Traced("your answer", ((end, frame),), (origin,), ((shown, end),)), values)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from itertools import islice
 from typing import TypeVar
 
-from dhcli.algebra.arithmetic import Arithmetic, plus, settled, times
+from dhcli.algebra.arithmetic import Arithmetic, settled, sum_of_products
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import CIRCLE, GENERAL, SEED, draws
 from dhcli.algebra.terms import TERMS
@@ -146,14 +146,7 @@ def piece_of(rows: tuple[tuple[N, ...], ...], question: Wanted, over: Arithmetic
     if question.piece == "axis":
         return tuple((line[row],) for line in rows[:3])
     coordinates = (*map(over.length, question.point), int(question.piece == "point"))
-    return tuple((_dot(line, coordinates, over),) for line in rows[:3])
-
-
-def _dot(line: tuple[N, ...], coordinates: tuple[N | int, ...], over: Arithmetic[N]) -> N:
-    total: N | int = 0
-    for entry, coordinate in zip(line, coordinates, strict=True):
-        total = plus(total, times(entry, coordinate))
-    return settled(total, over)
+    return tuple((settled(sum_of_products(line, coordinates), over),) for line in rows[:3])
 
 
 def is_length(question: Wanted, row: int, column: int) -> bool:

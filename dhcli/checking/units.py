@@ -17,7 +17,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.notation.products import parse_factors
 from dhcli.notation.quantity import LENGTH_UNITS, DimensionError
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr, Number, Power, Product, Sum, Symbol, Unit, add, multiply, power
+from dhcli.notation.tree import Expr, Number, Power, Product, Sum, Symbol, Unit, add, multiply, places_of, power
 from dhcli.notation.walk import walk
 
 ONE = Fraction(1)
@@ -156,7 +156,8 @@ def _times(expr: Expr, unit: Fraction, power_of: Fraction) -> Expr:
 
 def _places(factor: Fraction) -> int:
     """Decimal places of a factor, so that those of a number that is multiplied by it are still known."""
-    return next((places for places in range(MOST_PLACES) if (factor * 10**places).denominator == 1), MOST_PLACES)
+    places = places_of(factor, MOST_PLACES)
+    return MOST_PLACES if places is None else places
 
 
 def _is_measured(expr: Expr, scope: Scope) -> bool:

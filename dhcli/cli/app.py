@@ -6,12 +6,12 @@ import os
 import sys
 from importlib import import_module
 from inspect import cleandoc
+from types import ModuleType
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from typer.core import TyperCommand, TyperGroup, TyperOption
 
-from dhcli.cli.shell.sparing import sparing
 from dhcli.cli.shell.spreading import spread
 from dhcli.errors import DhcliError
 
@@ -59,9 +59,20 @@ class _PlainHelp:
 
 
 def _help_writer() -> Any:  # noqa: ANN401  a module
-    """What typer writes help with, without the readers of Markdown and of tracebacks, which cost most of it."""
-    with sparing("rich.markdown", "rich.traceback"):
+    """What typer writes help with, had without the two readers that it imports for others, and that cost most of it.
+
+    They read Markdown and tracebacks; a stand-in is there for each while it is imported, unless the reader itself is.
+    """
+    spared = {"rich.markdown", "rich.traceback"} - sys.modules.keys()
+    for name in spared:
+        stand_in: Any = ModuleType(name)
+        stand_in.__getattr__ = lambda _: object
+        sys.modules[name] = stand_in
+    try:
         return import_module("typer.rich_utils")
+    finally:
+        for name in spared:
+            del sys.modules[name]
 
 
 class Group(_PlainHelp, TyperGroup):

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from dhcli.frozen import frozen
 from dhcli.geometry.motion import inverse
-from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, dot, plus, scaled
+from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, dot, minus, plus, scaled
 
 
 @frozen
@@ -44,7 +44,7 @@ class Rigid:
                 (u * z - sin * y, v * z + sin * x, cos + w * z),
             )
         )
-        return rotation if through is ORIGIN else cls(rotation.rows, plus(through, rotation.turned(through), -1))
+        return rotation if through is ORIGIN else cls(rotation.rows, minus(through, rotation.turned(through)))
 
     @property
     def motion(self) -> tuple[tuple[float, float, float, float], ...]:

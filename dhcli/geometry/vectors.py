@@ -14,6 +14,12 @@ ALONG = dict(zip("xyz", UNITS, strict=True))
 """The unit vector along each axis."""
 
 
+def axis_called(text: str) -> Vector | None:
+    """The unit vector along `x`, `+z` or `-y`; None of any other text."""
+    sign, letter = (-1.0, text[1:]) if text.startswith("-") else (1.0, text.removeprefix("+"))
+    return scaled(ALONG[letter], sign) if letter in ALONG else None
+
+
 def dot(a: Sequence[float], b: Sequence[float]) -> float:
     """Scalar product."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
@@ -29,6 +35,11 @@ def plus(a: Vector, b: Vector, times: float = 1.0) -> Vector:
     return a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]
 
 
+def minus(a: Vector, b: Vector) -> Vector:
+    """Difference."""
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
 def scaled(a: Vector, factor: float) -> Vector:
     """A multiple of a vector."""
     return a[0] * factor, a[1] * factor, a[2] * factor
@@ -36,7 +47,7 @@ def scaled(a: Vector, factor: float) -> Vector:
 
 def length(a: Vector) -> float:
     """Euclidean length."""
-    return math.sqrt(dot(a, a))
+    return math.hypot(*a)
 
 
 def across(a: Vector, unit: Vector) -> Vector:

@@ -11,7 +11,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.geometry.rigid import Rigid
-from dhcli.geometry.vectors import UNITS, Vector, cross, length, plus, scaled
+from dhcli.geometry.vectors import UNITS, Vector, cross, length, minus, scaled
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import PLANES, Chain, Fixed, Move, Rot, Trans, expressions, names
 from dhcli.notation.angle import Angle
@@ -153,7 +153,7 @@ class Arm:
             here @= screw.moved(q[screw.name])
         tip = (here @ end).offset
         return [
-            [*scaled(cross(axis, plus(tip, at, -1)), 1 / size), *axis] if screw.turns else [*axis, 0.0, 0.0, 0.0]
+            [*scaled(cross(axis, minus(tip, at)), 1 / size), *axis] if screw.turns else [*axis, 0.0, 0.0, 0.0]
             for screw, axis, at in axes
         ]
 

@@ -84,6 +84,7 @@ class Description:
     tools: Mapping[str, Chain] = field(default_factory=dict)
     actuators: Actuators | None = None
     drives: Description | None = None
+    called: Mapping[str, str] = field(default_factory=dict, compare=False)
     path: Path | None = field(default=None, compare=False)
 
     def __post_init__(self) -> None:
@@ -118,6 +119,7 @@ class Description:
         for attribute, mapping in mappings.items():
             object.__setattr__(self, attribute, MappingProxyType(mapping))
         object.__setattr__(self, "derived", MappingProxyType(dict(mapping_of(self.derived, "derived"))))
+        object.__setattr__(self, "called", MappingProxyType(dict(mapping_of(self.called, "called"))))
         object.__setattr__(self, "convention", _convention(self.convention))
 
     @cached_property

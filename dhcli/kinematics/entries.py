@@ -22,6 +22,14 @@ def rounded(value: float, digits: int = DIGITS) -> str:
     return "0" if text in ("-0", "") else text
 
 
+def small_length(value: float) -> str:
+    """A length [m] in the unit in which it is told best: `11 µm`, `160 µm`, `1.2 mm`, `0.3 m`."""
+    for unit, size in (("µm", 1e-6), ("mm", 1e-3)):
+        if value < 1000 * size:
+            return f"{value / size:.3g} {unit}"
+    return f"{value:.3g} m"
+
+
 def cells_of(
     rows: Sequence[Sequence[object]], joints: Joints, style: str = "short", digits: int = DIGITS
 ) -> tuple[tuple[str, ...], ...]:

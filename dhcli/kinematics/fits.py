@@ -18,6 +18,7 @@ from dhcli.geometry.vectors import (
     cross,
     dot,
     length,
+    minus,
     plus,
     scaled,
     within,
@@ -82,16 +83,16 @@ def held_by(fit: Fit, one: Screw, other: Screw, limits: Limits) -> Fit | None:
         return aimed
     if aimed.line is not None and len(aimed.spread) < len(UNITS):
         axis, through = aimed.line
-        here = across(plus(aimed.g.moved(one.point), through, -1), axis)
-        there = across(plus(other.point, through, -1), axis)
+        here = across(minus(aimed.g.moved(one.point), through), axis)
+        there = across(minus(other.point, through), axis)
         if min(length(here), length(there)) > limits.coincident:
             turn = Rigid.turn(axis, angle_about(axis, here, there), through)
             aimed = Fit(turn @ aimed.g, None, aimed.spread, aimed.anything)
-    gap = across(plus(other.point, aimed.g.moved(one.point), -1), other.direction)
+    gap = across(minus(other.point, aimed.g.moved(one.point)), other.direction)
     step, left = _solved(gap, aimed.spread, other.direction)
     if length(left) > limits.shift:
         return None
-    slides = length(plus(other.direction, within(other.direction, aimed.spread), -1)) <= limits.parallel
+    slides = length(minus(other.direction, within(other.direction, aimed.spread))) <= limits.parallel
     line = None if aimed.line is None else (other.direction, other.point)
     return Fit(Rigid.shift(step) @ aimed.g, line, (other.direction,) if slides else (), aimed.anything)
 
@@ -114,7 +115,7 @@ def _between(one: Screw, other: Screw) -> tuple[float, float]:
     """The cosine of the angle between two axes whose sense does not count, and their distance, 0 for a slide."""
     normal = cross(one.direction, other.direction)
     sine = length(normal)
-    gap = plus(other.point, one.point, -1)
+    gap = minus(other.point, one.point)
     away = abs(dot(gap, normal)) / sine if sine > ALONG else length(across(gap, one.direction))
     return abs(dot(one.direction, other.direction)), away if one.turns and other.turns else 0.0
 
@@ -134,14 +135,14 @@ def _aimed(fit: Fit, one: Vector, other: Vector, limits: Limits) -> Fit | None:
         turn = Rigid.turn(axis, angle_about(axis, here, other), through)
         fit = Fit(turn @ fit.g, None, fit.spread, fit.anything)
         here = turn.turned(here)
-    return fit if length(plus(here, other, -1)) <= limits.turn else None
+    return fit if length(minus(here, other)) <= limits.turn else None
 
 
 def released(held: Fit, screw: Screw) -> Fit:
     """The maps behind a joint: its zero is free."""
     if screw.turns:
         return Fit(held.g, (screw.direction, screw.point), held.spread, held.anything)
-    new = plus(screw.direction, within(screw.direction, held.spread), -1)
+    new = minus(screw.direction, within(screw.direction, held.spread))
     if length(new) <= ALONG:  # it slides along it already
         return held
     return Fit(held.g, held.line, (*held.spread, scaled(new, 1 / length(new))), held.anything)
@@ -149,11 +150,11 @@ def released(held: Fit, screw: Screw) -> Fit:
 
 def slid(g: Rigid, held: Fit, screw: Screw) -> float:
     """How far a sliding joint has to go from a map that fits before it to one behind it."""
-    new = plus(screw.direction, within(screw.direction, held.spread), -1)
+    new = minus(screw.direction, within(screw.direction, held.spread))
     if length(new) <= ALONG:  # it could as well be the base
         return 0.0
     through = ORIGIN if held.line is None else held.line[1]
-    way = plus((g @ held.g.inverse()).moved(through), through, -1)
+    way = minus((g @ held.g.inverse()).moved(through), through)
     return dot(way, new) / dot(new, new)
 
 

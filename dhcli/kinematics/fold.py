@@ -25,7 +25,7 @@ def fold(chain: Chain, over: Arithmetic[N]) -> tuple[tuple[N, ...], ...]:
         The homogeneous matrix, shape (4, 4), of the arithmetic's numbers; translation in metres.
     """
     rows = fold_rows(chain, over)
-    finished = tuple(tuple(settled(entry, over) for entry in row) for row in rows)
+    finished = tuple([tuple([settled(entry, over) for entry in row]) for row in rows])
     zero, one = over.constant(0), over.constant(1)
     return (*finished, (zero, zero, zero, one))
 

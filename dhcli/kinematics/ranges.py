@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Literal, TypeAlias
 
@@ -13,14 +14,14 @@ from dhcli.kinematics.robot import Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import UNITS
 from dhcli.notation.tokens import Source, tokenize
-from dhcli.notation.tree import Number, number
+from dhcli.notation.tree import Number, number, places_of
 from dhcli.regex import regex
 
 _RANGE = regex(r"(?P<low>.*?)(?:\.\.(?P<high>.*?)(?:\s(?P<word>step|n)(?P<more>(?:\s.*)?))?)?", re.DOTALL)
 """Matches any text, in one go: nothing in it is tried twice."""
 
 _LONGEST_COUNT = 40
-_MOST_PLACES = 10
+_MOST_PLACES = 9
 
 Word: TypeAlias = Literal["step", "n", ""]
 
@@ -31,11 +32,11 @@ class Piece:
 
     Attributes:
         text: How it is spelled; empty where it is missing.
-        start: Where it begins in the whole text.
+        place: Where it stands.
     """
 
     text: str
-    start: int
+    place: Place
 
 
 @frozen
@@ -55,17 +56,23 @@ class Written:
     more: Piece | None
 
 
-def split_range(text: str, start: int = 0) -> Written:
-    """The pieces of a range that begins at a place of a text; any text is one, and may lack some."""
+def split_range(text: str, place_of: Callable[[int], Place], start: int = 0) -> Written:
+    """The pieces of a range; any text is one, and may lack some.
+
+    Args:
+        text: The text that holds it.
+        place_of: The place of one character of the text.
+        start: Where in the text the range begins.
+    """
     match = _RANGE.fullmatch(text, start)
     assert match is not None, "the pattern matches any text"  # noqa: S101
     found: dict[str, Piece | None] = {}
     for name in ("low", "high", "more"):
         piece = match[name]
         blanks = 0 if piece is None else len(piece) - len(piece.lstrip())
-        found[name] = None if piece is None else Piece(piece.strip(), match.start(name) + blanks)
+        found[name] = None if piece is None else Piece(piece.strip(), place_of(match.start(name) + blanks))
     word: Word = "step" if match["word"] == "step" else "n" if match["word"] else ""
-    return Written(found["low"] or Piece("", start), found["high"], word, found["more"])
+    return Written(found["low"] or Piece("", place_of(start)), found["high"], word, found["more"])
 
 
 def read_count(text: str, place: Place, example: str) -> int:
@@ -131,5 +138,4 @@ def times(value: Value, factor: Fraction | int) -> Value:
 
 def _length(amount: Fraction) -> Number:
     """A length that is shown with its decimals, if it has not too many: 0.12 and not 3/25."""
-    places = (places for places in range(_MOST_PLACES) if (amount * 10**places).denominator == 1)
-    return number(amount, next(places, None))
+    return number(amount, places_of(amount, _MOST_PLACES))

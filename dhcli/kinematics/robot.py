@@ -42,6 +42,8 @@ class Robot(Description):
         drives: Of a robot by motor values, the robot by joint values.
         remarks: What was taken for something else when it was read, such as 1.5708 rad for 90°; what is so near that
             no result shows it is told where a robot is shown, and not at each use.
+        called: What joints are called where the robot comes from, by variable, such as in a URDF; joint values may
+            have these names too.
         path: The file it was read from; None if it was made in Python or came from standard input. Two robots are equal
             wherever they were read.
 

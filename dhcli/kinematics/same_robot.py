@@ -19,7 +19,7 @@ from itertools import islice
 from dhcli.algebra.points import draws
 from dhcli.frozen import frozen
 from dhcli.geometry.rigid import Rigid
-from dhcli.geometry.vectors import length, plus, scaled, within
+from dhcli.geometry.vectors import length, minus, scaled, within
 from dhcli.kinematics.axes import Arm, Point
 from dhcli.kinematics.fits import Fit, Limits, held_by, released, slid
 
@@ -116,7 +116,7 @@ class Registration:
 
     def _brought(self, fit: Fit) -> Fit:
         """The map moved as its translations allow, until the end frames are nearest."""
-        gap = plus(self.other_end.offset, (fit.g @ self.end).offset, -1)
+        gap = minus(self.other_end.offset, (fit.g @ self.end).offset)
         return replace(fit, g=Rigid.shift(within(gap, fit.spread)) @ fit.g)
 
     def _is_together(self, fit: Fit) -> bool:
@@ -161,7 +161,7 @@ def error_of(
         turn = max(
             turn, *(abs(x - y) for r, s in zip(one.rows, two.rows, strict=True) for x, y in zip(r, s, strict=True))
         )
-        shift = max(shift, length(plus(one.offset, two.offset, -1)))
+        shift = max(shift, length(minus(one.offset, two.offset)))
         if not all(math.isfinite(x) for pose in (one, two) for row in pose.motion for x in row):
             return math.inf, math.inf  # what is no number agrees with nothing
         if turn > enough[0] or shift > enough[1]:

@@ -148,9 +148,13 @@ def read_named(robot: Description, name: str, text: str, *, bare: Bare, place: P
 def joint_called(robot: Description, name: str, place: Place | None = None) -> str:
     """The joint variable that a person means: `θ1`, `theta_1`, `q1` and, as pendants write it, `J1` are theta1.
 
+    A name that a joint has where the robot comes from, `shoulder_pan_joint` of a URDF, comes before all others.
+
     Raises:
         RobotError: There is no such joint; the hint has the nearest.
     """
+    if (known := next((joint for joint, own in robot.called.items() if own == name.strip()), None)) is not None:
+        return known
     counted = _PENDANT.sub("q", name)
     for candidate in (canonical(name), robot.scope.aliases.get(canonical(counted), "")):
         for variable in robot.variables:

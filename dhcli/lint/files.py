@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from dhcli.errors import DhcliError, FileError, Place, Problem
 from dhcli.files.library.kinds import kind_of
-from dhcli.files.library.lookup import Kind
+from dhcli.files.library.lookup import YAML, Kind
 from dhcli.files.reading import read_text
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.frozen import frozen
@@ -24,7 +24,6 @@ from dhcli.lint.wording import unfinished
 if TYPE_CHECKING:
     from dhcli.checking.exercise import Exercise
 
-SUFFIXES = (".yaml", ".yml")
 SHEETS = (".sheet.yaml", ".sheet.yml")
 BESIDE_JUDGING = frozenset(
     ("format", "title", "source", "task", "prompt", "hints", "tests", "printed", "variants", "feedback")
@@ -130,7 +129,7 @@ def _missing(path: str) -> Problem:
         read_text(path)
     except FileError as error:
         problem = error.problems[0]
-        if not path.lower().endswith(SUFFIXES):
+        if not path.lower().endswith(YAML):
             message = problem.message.replace("no such file", "no such file or folder")
             hint = unexpanded(path) or "lint takes files and folders, such as robots/my-arm.yaml"
             problem = replace(problem, message=message, hint=hint)
@@ -147,7 +146,7 @@ def _in_folder(folder: Path, problems: list[Problem]) -> Iterator[Path]:
     for here, folders, names in os.walk(folder, onerror=refused):
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         for name in names:
-            if name.lower().endswith(SUFFIXES) and not name.lower().endswith(SHEETS) and not name.startswith("."):
+            if name.lower().endswith(YAML) and not name.lower().endswith(SHEETS) and not name.startswith("."):
                 yield Path(here, name)
 
 

@@ -8,8 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 from dhcli.geometry.twists import Array
+from dhcli.geometry.vectors import Vector
 from dhcli.mobility.draws import Draws
-from dhcli.mobility.linkage import Joint, Linkage, Vector
+from dhcli.mobility.linkage import Joint, Linkage
 
 POINTS = ("point", "other")
 DIRECTIONS = ("axis", "axis2", "slide")

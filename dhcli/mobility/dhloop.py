@@ -7,9 +7,10 @@ from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
+from dhcli.geometry.vectors import Vector
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.fold import fold
-from dhcli.mobility.linkage import Joint, Vector
+from dhcli.mobility.linkage import Joint
 from dhcli.mobility.pairs import LinkageError, Pair
 from dhcli.notation.angle import Angle
 

@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from functools import cached_property
-from typing import TypeAlias
 
 from dhcli.errors import Problem, did_you_mean
 from dhcli.frozen import frozen
+from dhcli.geometry.vectors import Vector, dot, length
 from dhcli.kinematics.validity import Finding
 from dhcli.mobility.pairs import SPATIAL, LinkageError, Pair, Space
-
-Vector: TypeAlias = tuple[float, float, float]
 
 TINY = 1e-12
 """Below this a direction is no direction."""
@@ -158,11 +156,6 @@ def serial(name: str, pairs: tuple[Pair, ...], *, title: str = "", source: str =
     return Linkage(name, SPATIAL, joints, "ground", links[-1], title=title, source=source)
 
 
-def length(vector: Vector) -> float:
-    """Euclidean length."""
-    return math.hypot(*vector)
-
-
 def _findings(linkage: Linkage) -> Iterator[Finding]:
     """Everything that keeps a description from being a linkage."""
     if not linkage.joints:
@@ -235,7 +228,7 @@ def _out_of_plane(joint: Joint) -> Iterator[tuple[str, str]]:
 
 def _cosine(a: Vector, b: Vector) -> float:
     lengths = length(a) * length(b)
-    return sum(x * y for x, y in zip(a, b, strict=True)) / lengths if lengths > TINY else 0.0
+    return dot(a, b) / lengths if lengths > TINY else 0.0
 
 
 def _apart(linkage: Linkage, known: list[str]) -> Iterator[Finding]:

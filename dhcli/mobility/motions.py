@@ -6,7 +6,8 @@ import numpy as np
 
 from dhcli.geometry import twists
 from dhcli.geometry.twists import Array
-from dhcli.mobility.linkage import Joint, Vector
+from dhcli.geometry.vectors import Vector
+from dhcli.mobility.linkage import Joint
 
 NORMAL: Vector = (0.0, 0.0, 1.0)
 """The normal of the plane of a planar linkage."""

@@ -51,6 +51,16 @@ class Angle(Hashed):
     degrees: Fraction = ZERO
     radians: Fraction = ZERO
 
+    def __eq__(self, other: object) -> bool:
+        """Cheaper than comparing fractions: most have the same ones."""
+        if type(other) is not Angle:
+            return NotImplemented
+        return (
+            self.terms == other.terms
+            and (self.degrees is other.degrees or self.degrees == other.degrees)
+            and (self.radians is other.radians or self.radians == other.radians)
+        )
+
     def __hash__(self) -> int:
         """Cheaper than hashing fractions, which costs a power modulo a prime each."""
         try:
@@ -94,9 +104,8 @@ class Angle(Hashed):
         return Angle(terms, _plus(self.degrees, other.degrees), _plus(self.radians, other.radians))
 
     def __neg__(self) -> Angle:
-        return Angle(
-            tuple((name, -factor) for name, factor in self.terms), _negated(self.degrees), _negated(self.radians)
-        )
+        terms = tuple([(name, _negated(factor)) for name, factor in self.terms])
+        return Angle(terms, _negated(self.degrees), _negated(self.radians))
 
     def __sub__(self, other: Angle) -> Angle:
         return self + (-other)
@@ -104,8 +113,8 @@ class Angle(Hashed):
     def __mul__(self, factor: Fraction | int) -> Angle:
         if factor == 0:
             return Angle()
-        terms = tuple((name, coefficient * factor) for name, coefficient in self.terms)
-        return Angle(terms, self.degrees * factor, self.radians * factor)
+        terms = tuple([(name, _times(coefficient, factor)) for name, coefficient in self.terms])
+        return Angle(terms, _times(self.degrees, factor), _times(self.radians, factor))
 
     def quarter_turns(self) -> int | None:
         """How many right angles this is, 0 to 3, or None if it is not a whole number of them."""
@@ -137,7 +146,15 @@ class Angle(Hashed):
 
 
 def _negated(value: Fraction) -> Fraction:
-    return value if value is ZERO else -value
+    if value is ZERO:
+        return value
+    return ONCE if value.numerator == -1 and value.denominator == 1 else -value
+
+
+def _times(value: Fraction, factor: Fraction | int) -> Fraction:
+    if value is ZERO or factor == 1:
+        return value
+    return factor if value is ONCE and isinstance(factor, Fraction) else value * factor
 
 
 def _plus(first: Fraction, second: Fraction) -> Fraction:

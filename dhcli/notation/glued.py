@@ -36,7 +36,8 @@ def unglued(tokens: Sequence[Token], at: int, scope: Scope, *, angle_follows: bo
     if match is None:
         return (), 0
     head, function, digits = match["head"], match["function"], match["digits"]
-    if (head and not is_factor(head, scope)) or not (digits or (head and _called(tokens[at + 1]))):
+    has_argument = angle_follows or _called(tokens[at + 1])
+    if (head and not is_factor(head, scope)) or not (digits or (head and has_argument)):
         return (), 0
     middle, behind = word.end - len(digits), tokens[at + 1]
     begin = middle - len(function)
@@ -87,4 +88,5 @@ def is_factor(head: str, scope: Scope) -> bool:
 
 
 def _called(token: Token) -> bool:
-    return token.kind == "sign" and token.text in ("(", "^")
+    """Whether a function has its argument in what comes next, a bracket or a number, or a power before it."""
+    return token.kind == "number" or (token.kind == "sign" and token.text in ("(", "^"))

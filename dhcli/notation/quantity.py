@@ -9,7 +9,7 @@ import math
 from fractions import Fraction
 from typing import Literal
 
-from dhcli.notation.angle import ZERO, Angle
+from dhcli.notation.angle import ONCE, ZERO, Angle
 from dhcli.notation.dimensions import (
     ANGLE_UNITS,
     INVERSE,
@@ -194,12 +194,12 @@ def _angle(expr: Expr, bare: Bare) -> Angle:
     if isinstance(expr, Sum):
         return sum((_angle(term, bare) for term in expr.terms), Angle())
     factors = expr.factors if isinstance(expr, Product) else (expr,)
-    scale, name, unit = Fraction(1), "", ""
+    scale, name, unit = ONCE, "", ""
     others: list[Expr] = []
     for factor in factors:
         match factor:
             case Number(value):
-                scale *= value
+                scale = value if scale is ONCE else scale * value
             case Sum() | Call() if not others:
                 others.append(factor)
             case Symbol() if not name and not unit:

@@ -7,10 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
+from operator import is_
 
 from dhcli.notation.angle import Angle
 from dhcli.notation.dimensions import RADIANS
-from dhcli.notation.tree import Expr, Number, Product, Sum, Unit, add, multiply
+from dhcli.notation.tree import Expr, Number, Product, Sum, Unit, add, multiply, places_of
 
 MOST_QUARTERS = 8
 """Two turns; beyond them nobody writes a right angle in radians."""
@@ -19,7 +20,7 @@ SEEN = 5e-5
 """From here on a result shows a difference: half of the fourth decimal, the last that is shown [rad or m]."""
 _QUARTER = Fraction(31415926535897932384626433832795028841971, 2 * 10**40)
 _LEAST_PLACES = 2
-_MOST_PLACES = 30
+_MOST_PLACES = 29
 
 
 class Slight(str):
@@ -64,7 +65,7 @@ def with_right_angles(expr: Expr, remarks: list[str]) -> Expr:
     """
     if isinstance(expr, Sum):
         terms = [with_right_angles(term, remarks) for term in expr.terms]
-        return expr if all(map(_is, terms, expr.terms)) else add(*terms)
+        return expr if all(map(is_, terms, expr.terms)) else add(*terms)
     match expr:
         case Product((Number(value, places), Unit(name))) if name in RADIANS:
             degrees = right_angle_of(value, places)
@@ -80,19 +81,10 @@ def right_angles_among(values: Mapping[str, Angle | Expr], remarks: list[str]) -
     found = dict(values)
     for name, value in values.items():
         if isinstance(value, Angle) and value.radians and not value.terms and not value.degrees:
-            degrees = right_angle_of(value.radians, _decimals(value.radians))
+            degrees = right_angle_of(value.radians, places_of(value.radians, _MOST_PLACES))
             if degrees is not None:
                 found[name] = Angle.in_degrees(degrees)
                 remarks.append(
                     f"{name}: {float(value.radians):.16g} rad is taken as {degrees}°, which it is to its digits"
                 )
     return found
-
-
-def _decimals(value: Fraction) -> int | None:
-    """How many decimals a number is written with; None where it is no decimal of a few."""
-    return next((places for places in range(_MOST_PLACES) if 10**places % value.denominator == 0), None)
-
-
-def _is(first: Expr, second: Expr) -> bool:
-    return first is second

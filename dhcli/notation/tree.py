@@ -116,6 +116,12 @@ class Trig(Expr):
     function: Literal["cos", "sin"]
     angle: Angle
 
+    def __eq__(self, other: object) -> bool:
+        """At once; see `Angle`."""
+        if type(other) is not Trig:
+            return NotImplemented
+        return self.function == other.function and (self.angle is other.angle or self.angle == other.angle)
+
     def __hash__(self) -> int:
         """Kept; see `Hashed`."""
         try:
@@ -188,15 +194,16 @@ def decimal(value: Fraction) -> Number:
     return Number(value, places_of(value))
 
 
-def places_of(value: Fraction) -> int | None:
-    """How many decimals say a fraction exactly; None where none do."""
+def places_of(value: Fraction, most: int | None = None) -> int | None:
+    """How many decimals say a fraction exactly; None where none do, or more than the most."""
     twos = fives = 0
     rest = value.denominator
     while rest % 2 == 0:
         rest, twos = rest // 2, twos + 1
     while rest % 5 == 0:
         rest, fives = rest // 5, fives + 1
-    return max(twos, fives) if rest == 1 else None
+    places = max(twos, fives)
+    return places if rest == 1 and (most is None or places <= most) else None
 
 
 def split(term: Expr) -> tuple[Number, Expr]:
@@ -411,8 +418,7 @@ def _power_of_number(base: Number, exponent: Fraction) -> Expr:
         if size * abs(exponent.numerator) > MOST_BITS:
             raise OverflowError
         value = base.value**exponent.numerator
-        places = places_of(value) if base.places else None
-        return Number(value, places if places is not None and places <= MOST_PLACES else None)
+        return Number(value, places_of(value, MOST_PLACES) if base.places else None)
     if exponent.denominator == 2 and base.value >= 0:  # noqa: PLR2004  a square root
         outside, root = square_root(base.value)
         whole = power(Number(base.value), (exponent - HALF).numerator)

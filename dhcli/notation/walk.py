@@ -3,21 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from operator import attrgetter
+from typing import Any
 
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Call, Expr, Number, Power, Product, Sum, Symbol, Trig, add, multiply, power, split
 from dhcli.notation.trig import cosine, sine
 
+_BELOW: dict[type[Expr], Callable[[Any], tuple[Expr, ...]]] = {
+    Sum: attrgetter("terms"),
+    Product: attrgetter("factors"),
+    Power: lambda node: (node.base,),
+    Call: attrgetter("arguments"),
+}
+"""What the nodes that are no leaves have below them."""
+
 
 def children(expr: Expr) -> tuple[Expr, ...]:
     """The nodes directly below."""
-    if type(expr) is Sum:
-        return expr.terms
-    if type(expr) is Product:
-        return expr.factors
-    if type(expr) is Power:
-        return (expr.base,)
-    return expr.arguments if type(expr) is Call else ()
+    below = _BELOW.get(type(expr))
+    return below(expr) if below else ()
 
 
 def walk(expr: Expr) -> Iterator[Expr]:
@@ -26,7 +31,13 @@ def walk(expr: Expr) -> Iterator[Expr]:
     while stack:
         node = stack.pop()
         yield node
-        stack.extend(reversed(children(node)))
+        if below := _BELOW.get(type(node)):
+            stack += below(node)[::-1]
+
+
+def unknowns(*exprs: Expr) -> frozenset[Symbol | Trig]:
+    """The names, and the cosines and sines, each once."""
+    return frozenset(node for expr in exprs for node in walk(expr) if type(node) is Trig or type(node) is Symbol)
 
 
 def symbols(expr: Expr) -> frozenset[str]:

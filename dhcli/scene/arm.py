@@ -7,14 +7,14 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 
-from dhcli.geometry.vectors import ORIGIN, Vector, cross, dot, scaled
+from dhcli.geometry.vectors import ORIGIN, Vector, cross, dot, length, minus, plus, scaled
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values
 from dhcli.scene.bodies import body_of
 from dhcli.scene.fan import HALF, NEAR, Slid, fanned
 from dhcli.scene.primitives import Anchor, Arrow, Box, Dimension, Drum, Hand, Plate, Rod, Scene, Solid
 from dhcli.scene.skeleton import Axis, Skeleton
-from dhcli.scene.vectors import Frame, across, add, norm, sub, unit
+from dhcli.scene.vectors import Frame, sideways, unit
 from dhcli.scene.words import Run, Words, joined
 
 DRUM, LEAST_DRUM = 0.07, 0.045
@@ -65,7 +65,7 @@ def drum_radius(skeleton: Skeleton) -> float:
     if extent <= 0:
         return DRUM
     places = [skeleton.place(axis)[0] for axis in skeleton.axes]
-    gaps = [norm(sub(b, a)) for a, b in pairwise(places)]
+    gaps = [length(minus(b, a)) for a, b in pairwise(places)]
     wide = [gap for gap in gaps if gap > NEAR_JOINTS * extent]
     return min(DRUM * extent, max(min(wide, default=extent) * 0.45, LEAST_DRUM * extent))
 
@@ -83,7 +83,7 @@ def _body(slid: Slid, size: float) -> Solid:
     centre = Anchor(axis.state, scaled(axis.direction, slid.shift))
     if axis.kind == "revolute":
         return Drum(axis.name, centre, axis.direction, size, HALF * size)
-    return Box(axis.name, centre, axis.direction, across(axis.direction), BOX * size)
+    return Box(axis.name, centre, axis.direction, sideways(axis.direction), BOX * size)
 
 
 def _rods(skeleton: Skeleton, slid: tuple[Slid, ...], size: float) -> Iterator[Rod]:
@@ -113,15 +113,15 @@ def _plate(skeleton: Skeleton, solids: tuple[Solid, ...], slid: tuple[Slid, ...]
     depth = 0.0
     for body, each in zip(solids, slid, strict=True):
         point, direction = skeleton.place(each.axis)
-        middle = add(point, scaled(direction, each.shift))
+        middle = plus(point, scaled(direction, each.shift))
         if isinstance(body, Drum):
             cosine = abs(dot(direction, base.z))
             below = body.half * cosine + body.radius * math.sqrt(max(0.0, 1 - cosine * cosine))
         else:
             below = getattr(body, "half", size)
-        level = dot(sub(middle, base.origin), base.z)
-        aside = sub(sub(middle, base.origin), scaled(base.z, level))
-        if norm(aside) < PLATE * size and level - below < SAME * size:
+        level = dot(minus(middle, base.origin), base.z)
+        aside = minus(minus(middle, base.origin), scaled(base.z, level))
+        if length(aside) < PLATE * size and level - below < SAME * size:
             depth = max(depth, below - level + STAND * size)
     if not skeleton.legs and not depth:
         depth = size
@@ -134,7 +134,7 @@ PLATE = 2.9
 
 def _stand(plate: Plate | None, size: float) -> Iterator[Rod]:
     """The piece between the ground and the place of the first joint."""
-    if plate is not None and norm(plate.centre.at) > 0:
+    if plate is not None and length(plate.centre.at) > 0:
         yield Rod(plate.centre, Anchor(plate.centre.state, ORIGIN), ROD * size)
 
 
@@ -155,7 +155,7 @@ def _with_hand(scene: Scene, skeleton: Skeleton, slid: tuple[Slid, ...]) -> Scen
     side: Vector = (0.0, 1.0, 0.0) if abs(local[1]) < 0.9 else (1.0, 0.0, 0.0)  # noqa: PLR2004  not along y
     if scene.plate is None and abs(local[2]) < 0.1:  # noqa: PLR2004  in the plane
         side = cross((0.0, 0.0, 1.0), local)
-    side = unit(sub(side, scaled(local, dot(side, local))))
+    side = unit(minus(side, scaled(local, dot(side, local))))
     return replace(scene, rods=(*scene.rods, *stem), hand=Hand(Anchor(end, wrist), local, side, HAND * scene.unit))
 
 
@@ -163,8 +163,8 @@ def _forward(skeleton: Skeleton, last: Slid) -> Vector:
     """Where the fingers point in the world."""
     for leg in reversed(skeleton.legs):
         start, stop = skeleton.ends(leg)
-        if leg.state >= last.axis.state and norm(sub(stop, start)) > 0:
-            return unit(sub(stop, start))
+        if leg.state >= last.axis.state and length(minus(stop, start)) > 0:
+            return unit(minus(stop, start))
     if _is_in_row(skeleton) and not last.shift:
         return skeleton.states[-1].x
     return scaled(skeleton.place(last.axis)[1], 1.0 if last.shift >= 0 else -1.0)
@@ -194,7 +194,7 @@ def arrows(states: tuple[Frame, ...], numbered: tuple[tuple[str, int], ...], siz
         for letter, direction in (("x", frame.x), ("z", frame.z)):
             words = (Run(letter), Run(name, below=True))
             for origin, known, kind, _, names in merged:
-                is_same = norm(sub(direction, known)) < SAME and norm(sub(frame.origin, origin)) < SAME * size
+                is_same = length(minus(direction, known)) < SAME and length(minus(frame.origin, origin)) < SAME * size
                 if kind == letter and is_same:
                     names.append(words)
                     break
@@ -203,11 +203,11 @@ def arrows(states: tuple[Frame, ...], numbered: tuple[tuple[str, int], ...], siz
     for origin, direction, letter, state, names in merged:
         local: Vector = (1.0, 0.0, 0.0) if letter == "x" else (0.0, 0.0, 1.0)
         under = letter == "x" and any(
-            kind == "z" and norm(sub(direction, other)) < SAME and norm(sub(origin, start)) < SAME * size
+            kind == "z" and length(minus(direction, other)) < SAME and length(minus(origin, start)) < SAME * size
             for start, other, kind, _, _ in merged
         )  # an x axis along a z axis is shorter, so that both heads are seen
-        length = ARROW * size * (0.62 if under else 1.0)
-        yield Arrow(Anchor(state, ORIGIN), local, "x" if letter == "x" else "z", joined(names), length)
+        reach = ARROW * size * (0.62 if under else 1.0)
+        yield Arrow(Anchor(state, ORIGIN), local, "x" if letter == "x" else "z", joined(names), reach)
 
 
 def _dimensions(skeleton: Skeleton) -> Iterator[Dimension]:

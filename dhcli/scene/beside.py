@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterator
 
 from dhcli.errors import RobotError
-from dhcli.geometry.vectors import Vector, dot
+from dhcli.geometry.vectors import Vector, dot, length, minus, plus
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers, require
 from dhcli.scene.arm import ARROW, arrows
@@ -24,7 +24,7 @@ from dhcli.scene.shapes import Figure, Shape, arrowhead, ring
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.staging import ArmAt, Paper, fitted, foot
 from dhcli.scene.traced import Traced, paired, traced
-from dhcli.scene.vectors import Flat, Frame, along, norm, sub
+from dhcli.scene.vectors import Flat, Frame
 from dhcli.scene.words import Run, Words
 
 FAR = 4.0
@@ -76,7 +76,7 @@ def beside_figure(arm: ArmAt, other: Robot | Traced, paper: Paper | None = None)
 def _near_points(theirs: Traced, skeleton: Skeleton, size: float) -> list[Vector]:
     """What of the other is on the paper of the arm: its joints, and the tips of its axes."""
     near = [frame for _, frame in theirs.frames if _is_near(frame.origin, skeleton)]
-    tips = [along(frame.origin, axis, ARROW * size) for frame in near for axis in (frame.x, frame.z)]
+    tips = [plus(frame.origin, axis, ARROW * size) for frame in near for axis in (frame.x, frame.z)]
     return [*(point for point in theirs.line if _is_near(point, skeleton)), *tips]
 
 
@@ -102,8 +102,8 @@ def first_difference(right: Skeleton, theirs: Traced) -> str | None:
     near = theirs.close * _size(right)
     for one, name in theirs.pairs:
         frame, other = right.states[ours[one]], found[name]
-        turned = max(norm(sub(a, b)) for a, b in zip(frame[:3], other[:3], strict=True))
-        if turned > theirs.close or norm(sub(frame.origin, other.origin)) > near:
+        turned = max(length(minus(a, b)) for a, b in zip(frame[:3], other[:3], strict=True))
+        if turned > theirs.close or length(minus(frame.origin, other.origin)) > near:
             return name
     return None
 
@@ -133,18 +133,18 @@ def traced_robot(other: Robot, robot: Robot, values: Values) -> Traced:
 
 def _is_near(point: Vector, skeleton: Skeleton) -> bool:
     """Whether a point is on the paper of the arm; one in another unit would make the arm a dot."""
-    return norm(sub(point, skeleton.states[0].origin)) <= FAR * _size(skeleton)
+    return length(minus(point, skeleton.states[0].origin)) <= FAR * _size(skeleton)
 
 
 def _size(skeleton: Skeleton) -> float:
     """How far from the base the farthest frame is [m]; 1 where all are in one place."""
     base = skeleton.states[0].origin
-    return max(norm(sub(frame.origin, base)) for frame in skeleton.states) or 1.0
+    return max(length(minus(frame.origin, base)) for frame in skeleton.states) or 1.0
 
 
 def _their_arrow(arrow: Arrow, frame: Frame, camera: Camera) -> tuple[list[Shape], Wish]:
     tail = camera.flat(frame.origin)
-    tip = camera.flat(along(frame.origin, frame.direction(arrow.direction), arrow.length))
+    tip = camera.flat(plus(frame.origin, frame.direction(arrow.direction), arrow.length))
     words: Words = tuple(Run(run.text + "′", below=True) if run.below else run for run in arrow.words)
     wish = Wish((tip,), words, "theirs", (tip[0] - tail[0], tip[1] - tail[1]))
     if math.dist(tail, tip) < END_ON * arrow.length * camera.scale:

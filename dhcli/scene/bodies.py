@@ -7,11 +7,11 @@ from dataclasses import field
 from typing import Protocol
 
 from dhcli.frozen import frozen
-from dhcli.geometry.vectors import Vector, cross, dot, scaled
+from dhcli.geometry.vectors import Vector, cross, dot, length, minus, plus, scaled
 from dhcli.scene.camera import Camera
 from dhcli.scene.primitives import Ball, Drum, Face, Scene, Solid
 from dhcli.scene.shapes import Shape, hull, ring
-from dhcli.scene.vectors import add, along, centroid, norm, sub, unit
+from dhcli.scene.vectors import centroid, unit
 
 RIM = tuple((math.cos(t), math.sin(t)) for t in (math.tau * i / 32 for i in range(32)))
 """Corners of the rim of a drum of radius one."""
@@ -50,9 +50,9 @@ class Cylinder:
 
     def span(self, point: Vector, towards: Vector) -> tuple[float, float] | None:
         """Where a line goes through; see Body."""
-        rel = sub(point, self.centre)
+        rel = minus(point, self.centre)
         height, climb = dot(rel, self.axis), dot(towards, self.axis)
-        p, d = along(rel, self.axis, -height), along(towards, self.axis, -climb)
+        p, d = plus(rel, self.axis, -height), plus(towards, self.axis, -climb)
         a, b, c = dot(d, d), dot(p, d), dot(p, p) - self.radius * self.radius * INSIDE
         low, high = -math.inf, math.inf
         if a > SKIN:
@@ -66,14 +66,14 @@ class Cylinder:
 
     def rim(self, end: float) -> tuple[Vector, ...]:
         """The circle at one end."""
-        middle = along(self.centre, self.axis, end * self.half)
+        middle = plus(self.centre, self.axis, end * self.half)
         (u, v), radius = self.across, self.radius
-        return tuple(along(along(middle, u, radius * x), v, radius * y) for x, y in RIM)
+        return tuple(plus(plus(middle, u, radius * x), v, radius * y) for x, y in RIM)
 
     def samples(self) -> tuple[Vector, ...]:
         """Points of both rims, and of the middle."""
         top, down = self.rim(1)[::4], scaled(self.axis, -self.half)
-        return (*top, *self.rim(-1)[::4], *(add(p, down) for p in top))
+        return (*top, *self.rim(-1)[::4], *(plus(p, down) for p in top))
 
     def shapes(self, camera: Camera) -> list[Shape]:
         """The side, shaded across, and the end that faces the reader."""
@@ -103,7 +103,7 @@ class Block:
 
     def span(self, point: Vector, towards: Vector) -> tuple[float, float] | None:
         """Where a line goes through; see Body."""
-        rel = sub(point, self.centre)
+        rel = minus(point, self.centre)
         low, high = -math.inf, math.inf
         for axis, half in zip(self.axes, self.halves, strict=True):
             cut = _between(low, high, dot(rel, axis), dot(towards, axis), half * INSIDE)
@@ -116,14 +116,14 @@ class Block:
         """One of the eight corners."""
         point = self.centre
         for sign, axis, half in zip(signs, self.axes, self.halves, strict=True):
-            point = along(point, axis, sign * half)
+            point = plus(point, axis, sign * half)
         return point
 
     def samples(self) -> tuple[Vector, ...]:
         """The corners, and the middles of the faces."""
         corners = [self.corner(i, j, k) for i in (-1, 1) for j in (-1, 1) for k in (-1, 1)]
         faces = [
-            along(self.centre, axis, sign * half)
+            plus(self.centre, axis, sign * half)
             for axis, half in zip(self.axes, self.halves, strict=True)
             for sign in (-1, 1)
         ]
@@ -157,7 +157,7 @@ class Sphere:
 
     def span(self, point: Vector, towards: Vector) -> tuple[float, float] | None:
         """Where a line goes through; see Body."""
-        rel = sub(point, self.centre)
+        rel = minus(point, self.centre)
         b, c = dot(rel, towards), dot(rel, rel) - self.radius * self.radius * INSIDE
         root = b * b - c
         return (-b - math.sqrt(root), -b + math.sqrt(root)) if root > 0 else None
@@ -165,7 +165,9 @@ class Sphere:
     def samples(self) -> tuple[Vector, ...]:
         """Six points of its surface."""
         r = self.radius
-        return tuple(add(self.centre, v) for v in ((r, 0, 0), (-r, 0, 0), (0, r, 0), (0, -r, 0), (0, 0, r), (0, 0, -r)))
+        return tuple(
+            plus(self.centre, v) for v in ((r, 0, 0), (-r, 0, 0), (0, r, 0), (0, -r, 0), (0, 0, r), (0, 0, -r))
+        )
 
     def shapes(self, camera: Camera) -> list[Shape]:
         """A disc."""
@@ -185,21 +187,21 @@ class Sheet:
     def span(self, point: Vector, towards: Vector) -> tuple[float, float] | None:
         """Where a line goes through; see Body."""
         a, b, c = self.corners[:3]
-        normal = unit(cross(sub(b, a), sub(c, a)))
+        normal = unit(cross(minus(b, a), minus(c, a)))
         slope = dot(towards, normal)
         if abs(slope) < 1e-6:  # noqa: PLR2004  seen edge on
             return None
-        t = dot(sub(a, point), normal) / slope
-        hit = along(point, towards, t)
+        t = dot(minus(a, point), normal) / slope
+        hit = plus(point, towards, t)
         signs = {
-            dot(cross(sub(q, p), sub(hit, p)), normal) >= 0
+            dot(cross(minus(q, p), minus(hit, p)), normal) >= 0
             for p, q in zip(self.corners, (*self.corners[1:], self.corners[0]), strict=True)
         }
         return (t, t) if len(signs) == 1 else None
 
     def samples(self) -> tuple[Vector, ...]:
         """Corners drawn a little inwards, and the middle."""
-        return (*(add(scaled(c, 0.8), scaled(self.centre, 0.2)) for c in self.corners), self.centre)
+        return (*(plus(scaled(c, 0.8), scaled(self.centre, 0.2)) for c in self.corners), self.centre)
 
     def shapes(self, camera: Camera) -> list[Shape]:
         """The outline, filled."""
@@ -226,7 +228,7 @@ def body_of(scene: Scene, solid: Solid) -> Body:
 def _level(axis: Vector) -> Vector:
     """A level direction at right angles to an axis."""
     flat = cross((0.0, 0.0, 1.0), axis)
-    return unit(flat) if norm(flat) > 1e-6 else (1.0, 0.0, 0.0)  # noqa: PLR2004  an upright axis
+    return unit(flat) if length(flat) > 1e-6 else (1.0, 0.0, 0.0)  # noqa: PLR2004  an upright axis
 
 
 def _between(low: float, high: float, height: float, climb: float, half: float) -> tuple[float, float] | None:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
-from dhcli.geometry.vectors import cross, dot
+from dhcli.geometry.vectors import cross, dot, length, minus, plus
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Joint, Robot, Value
 from dhcli.kinematics.values import Values, parameter_values
@@ -18,7 +18,7 @@ from dhcli.scene.bodies import body_of
 from dhcli.scene.camera import Camera
 from dhcli.scene.primitives import Arrow, Hand, Scene
 from dhcli.scene.skeleton import Skeleton
-from dhcli.scene.vectors import Frame, along, norm, sub, unit
+from dhcli.scene.vectors import Frame, unit
 
 SEEN_FROM = tuple(
     (az, el) for el in (26.0, 18.0, 34.0) for az in (37.0, 25.0, 52.0, -37.0, -52.0, 128.0, 143.0, -143.0)
@@ -67,8 +67,8 @@ def pose_score(skeleton: Skeleton) -> float:
     directions = []
     for leg in skeleton.legs:
         start, end = skeleton.ends(leg)
-        if norm(sub(end, start)) > 0:
-            directions.append(unit(sub(end, start)))
+        if length(minus(end, start)) > 0:
+            directions.append(unit(minus(end, start)))
         else:
             directions.append((0.0, 0.0, 0.0))  # a slider at its zero shows nothing
     pairs = list(pairwise(directions))
@@ -94,10 +94,10 @@ def view_score(scene: Scene, camera: Camera) -> float:
     """How much of the lengths and axes of a scene a view shows, and how far apart its bodies look."""
     shown = []
     for dimension in scene.dimensions:
-        way = sub(scene.point(dimension.end), scene.point(dimension.start))
-        length = norm(way)
-        if length > 0:
-            seen = math.hypot(*camera.flat_direction(way)) / length
+        way = minus(scene.point(dimension.end), scene.point(dimension.start))
+        size = length(way)
+        if size > 0:
+            seen = math.hypot(*camera.flat_direction(way)) / size
             shown.append(min(seen, 0.75))
     axes = [math.hypot(*camera.flat_direction(scene.direction(a.start.state, a.direction))) for a in scene.arrows]
     clear = [min(seen, 0.5) for seen in axes]
@@ -105,7 +105,7 @@ def view_score(scene: Scene, camera: Camera) -> float:
     apart = []
     for i, one in enumerate(middles):
         for other in middles[i + 1 :]:
-            seen = math.hypot(*camera.flat_direction(sub(other, one)))
+            seen = math.hypot(*camera.flat_direction(minus(other, one)))
             apart.append(min(1.0, seen / (3 * scene.unit)))
     clearness = _mean(clear) + 0.5 * min(clear, default=0.5)
     return 1.5 * _mean(shown) + clearness + 2.5 * _mean(apart) + _tips(scene, camera) + _corners(scene, camera)
@@ -117,7 +117,7 @@ def hiding(scene: Scene) -> Callable[[Camera], float]:
     points = [(i, point) for i, body in enumerate(bodies) for point in body.samples()[::3]]
     for rod in scene.rods:
         start, end = scene.point(rod.start), scene.point(rod.end)
-        points += [(-1, along(start, sub(end, start), t / 6)) for t in range(1, 6)]
+        points += [(-1, plus(start, minus(end, start), t / 6)) for t in range(1, 6)]
 
     def hidden(camera: Camera) -> float:
         found = 0
@@ -134,10 +134,10 @@ def hiding(scene: Scene) -> Callable[[Camera], float]:
 
 def _corners(scene: Scene, camera: Camera) -> float:
     """How well corners between links look like corners; one that looks straight is a trap."""
-    ways = [sub(scene.point(rod.end), scene.point(rod.start)) for rod in scene.rods]
+    ways = [minus(scene.point(rod.end), scene.point(rod.start)) for rod in scene.rods]
     seen = []
     for one, other in pairwise(ways):
-        if norm(cross(unit(one), unit(other))) > 0.3:  # noqa: PLR2004  a corner in space
+        if length(cross(unit(one), unit(other))) > 0.3:  # noqa: PLR2004  a corner in space
             (a, b), (c, d) = camera.flat_direction(one), camera.flat_direction(other)
             lengths = math.hypot(a, b) * math.hypot(c, d)
             seen.append(min(1.0, 2 * abs(a * d - b * c) / lengths) if lengths > 0 else 0.0)

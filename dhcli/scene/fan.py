@@ -7,9 +7,9 @@ ahead; those between stay. Frames never move.
 from __future__ import annotations
 
 from dhcli.frozen import frozen
-from dhcli.geometry.vectors import Vector, dot
+from dhcli.geometry.vectors import Vector, dot, length, minus
 from dhcli.scene.skeleton import Axis, Leg, Skeleton
-from dhcli.scene.vectors import norm, sub, unit
+from dhcli.scene.vectors import unit
 
 NEAR = 2.3
 """Joints nearer than this many radii share a place."""
@@ -51,8 +51,8 @@ def _groups(skeleton: Skeleton, unit_length: float) -> list[list[Axis]]:
     groups: list[list[Axis]] = []
     for axis in skeleton.axes:
         near = groups and (
-            norm(sub(skeleton.place(axis)[0], skeleton.place(groups[-1][-1])[0])) < NEAR * unit_length
-            and norm(sub(skeleton.place(axis)[0], skeleton.place(groups[-1][0])[0])) < NEAR * unit_length
+            length(minus(skeleton.place(axis)[0], skeleton.place(groups[-1][-1])[0])) < NEAR * unit_length
+            and length(minus(skeleton.place(axis)[0], skeleton.place(groups[-1][0])[0])) < NEAR * unit_length
         )
         if near:
             groups[-1].append(axis)
@@ -84,9 +84,9 @@ def _single(skeleton: Skeleton, axis: Axis, unit_length: float, *, first: bool) 
     """A joint alone: the first of an arm stands on the link that leaves along its axis, if one does."""
     ahead = _link(skeleton, axis, before=False)
     if first and ahead and axis.kind == "revolute" and not _link(skeleton, axis, before=True):
-        length = _length(skeleton, axis)
-        clear = max(length - (1.15 + HALF) * unit_length, 0.6 * unit_length)  # of a drum across the end of that link
-        return Slid(axis, ahead * min(length / 2, clear, 2.2 * unit_length))
+        reach = _length(skeleton, axis)
+        clear = max(reach - (1.15 + HALF) * unit_length, 0.6 * unit_length)  # of a drum across the end of that link
+        return Slid(axis, ahead * min(reach / 2, clear, 2.2 * unit_length))
     return Slid(axis)
 
 
@@ -98,7 +98,7 @@ def _neighbours(skeleton: Skeleton, axis: Axis, *, before: bool) -> list[Leg]:
 
 
 def _is_long(leg: Leg) -> bool:
-    return norm(sub(leg.end, leg.start)) > 0
+    return length(minus(leg.end, leg.start)) > 0
 
 
 def _link(skeleton: Skeleton, axis: Axis, *, before: bool) -> int:
@@ -107,16 +107,16 @@ def _link(skeleton: Skeleton, axis: Axis, *, before: bool) -> int:
     for leg in _neighbours(skeleton, axis, before=before)[:1]:
         start, end = skeleton.ends(leg)
         touching, far = (end, start) if before else (start, end)
-        if norm(sub(touching, point)) > norm(sub(end, start)) * 1e-6:
+        if length(minus(touching, point)) > length(minus(end, start)) * 1e-6:
             return 0
-        cosine = dot(unit(sub(far, touching)), direction)
+        cosine = dot(unit(minus(far, touching)), direction)
         return round(cosine) if abs(cosine) > PARALLEL else 0
     return 0
 
 
 def _length(skeleton: Skeleton, axis: Axis) -> float:
     leg = _neighbours(skeleton, axis, before=False)[0]
-    return norm(sub(leg.end, leg.start))
+    return length(minus(leg.end, leg.start))
 
 
 def _down(skeleton: Skeleton, axis: Axis) -> int:
@@ -129,7 +129,7 @@ def _away(skeleton: Skeleton, axis: Axis) -> int:
     point, direction = skeleton.place(axis)
     down = _down(skeleton, axis)
     for leg in _neighbours(skeleton, axis, before=False)[:1]:
-        towards: Vector = unit(sub(skeleton.ends(leg)[1], point))
+        towards: Vector = unit(minus(skeleton.ends(leg)[1], point))
         if dot(towards, direction) * down > 0.5:  # noqa: PLR2004  within 60°
             return -1
     return 1
@@ -139,7 +139,7 @@ def _onward(skeleton: Skeleton, axis: Axis) -> int:
     """The side of the last axis that leads on: away from where the arm comes from, or else along z."""
     point, direction = skeleton.place(axis)
     for leg in _neighbours(skeleton, axis, before=True)[:1]:
-        cosine = dot(unit(sub(point, skeleton.ends(leg)[0])), direction)
+        cosine = dot(unit(minus(point, skeleton.ends(leg)[0])), direction)
         if abs(cosine) > 0.5:  # noqa: PLR2004  within 60°
             return 1 if cosine > 0 else -1
     return 1

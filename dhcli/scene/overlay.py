@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from dhcli.geometry.vectors import Vector, dot
+from dhcli.geometry.vectors import Vector, dot, length, minus, plus
 from dhcli.scene.bodies import Cylinder, body_of
 from dhcli.scene.camera import Camera
 from dhcli.scene.ink import Ink
@@ -13,7 +13,7 @@ from dhcli.scene.labels import Wish
 from dhcli.scene.painter import turn_arc
 from dhcli.scene.primitives import Anchor, Arrow, Box, Dimension, Drum, Scene
 from dhcli.scene.shapes import Shape, arrowhead, halfway, ring
-from dhcli.scene.vectors import Flat, along, norm, sub
+from dhcli.scene.vectors import Flat
 from dhcli.scene.words import Run, spelled
 
 END_ON = 0.13
@@ -38,7 +38,7 @@ def frames(scene: Scene, camera: Camera) -> tuple[list[Shape], list[Wish]]:
     for arrow in sorted(scene.arrows, key=lambda each: (-each.length, _tip_depth(scene, camera, each))):
         start = scene.point(arrow.start)
         direction = scene.direction(arrow.start.state, arrow.direction)
-        tail, tip = camera.flat(start), camera.flat(along(start, direction, arrow.length))
+        tail, tip = camera.flat(start), camera.flat(plus(start, direction, arrow.length))
         if math.dist(tail, tip) < END_ON * arrow.length * camera.scale:
             towards = sum(a * b for a, b in zip(direction, camera.towards, strict=True)) > 0
             shapes += _end_on(tail, arrow.letter, towards=towards)
@@ -92,7 +92,7 @@ def joint_axes(scene: Scene, camera: Camera, first: int | None) -> tuple[list[Sh
     for number, solid in enumerate(bodies, first or 1):
         centre = scene.point(solid.centre)
         axis = scene.direction(solid.centre.state, solid.axis)
-        ends = [camera.flat(along(centre, axis, sign * _reach(scene, centre, axis, sign))) for sign in (1, -1)]
+        ends = [camera.flat(plus(centre, axis, sign * _reach(scene, centre, axis, sign))) for sign in (1, -1)]
         words = (Run(str(number)),)
         if math.hypot(*camera.flat_direction(axis)) < END_ON:
             middle = camera.flat(centre)
@@ -109,9 +109,9 @@ def _reach(scene: Scene, centre: Vector, axis: Vector, sign: int) -> float:
     reach, hand = 3.2 * scene.unit, scene.hand
     if hand is None:
         return reach
-    tip = along(scene.point(hand.wrist), scene.direction(hand.wrist.state, hand.forward), hand.size)
-    far = sign * dot(sub(tip, centre), axis)
-    aside = norm(sub(tip, along(centre, axis, sign * far)))
+    tip = plus(scene.point(hand.wrist), scene.direction(hand.wrist.state, hand.forward), hand.size)
+    far = sign * dot(minus(tip, centre), axis)
+    aside = length(minus(tip, plus(centre, axis, sign * far)))
     is_through = aside < 0.5 * hand.size and reach - 2 * hand.size < far < reach + hand.size
     return max(reach, far + PAST_THE_HAND * hand.size) if is_through else reach
 
@@ -135,12 +135,12 @@ def support(at: Flat, size: float) -> list[Shape]:
 
 def hatching(a: Flat, b: Flat, size: float) -> list[Shape]:
     """Short strokes along a line, on its right as one goes from its start to its end and down is down."""
-    length = math.dist(a, b)
-    count = max(2, round(length / (1.1 * size)))
-    dx, dy = (b[0] - a[0]) / length, (b[1] - a[1]) / length
+    far = math.dist(a, b)
+    count = max(2, round(far / (1.1 * size)))
+    dx, dy = (b[0] - a[0]) / far, (b[1] - a[1]) / far
     found = []
     for i in range(count):
-        t = (i + 1) / count * length
+        t = (i + 1) / count * far
         x, y = a[0] + dx * t, a[1] + dy * t
         found.append(Shape(((x, y), (x - size * dx - size * dy, y - size * dy + size * dx)), "hatch-line"))
     return found
@@ -148,7 +148,7 @@ def hatching(a: Flat, b: Flat, size: float) -> list[Shape]:
 
 def _tip_depth(scene: Scene, camera: Camera, arrow: Arrow) -> float:
     start = scene.point(arrow.start)
-    return camera.depth(along(start, scene.direction(arrow.start.state, arrow.direction), arrow.length))
+    return camera.depth(plus(start, scene.direction(arrow.start.state, arrow.direction), arrow.length))
 
 
 def _end_on(at: Flat, letter: str, *, towards: bool) -> list[Shape]:
@@ -161,13 +161,13 @@ def _end_on(at: Flat, letter: str, *, towards: bool) -> list[Shape]:
 
 
 def _dimension(a: Flat, b: Flat, dimension: Dimension, look: str, ink: Ink) -> tuple[list[Shape], Wish]:
-    length = math.dist(a, b)
-    dx, dy = (b[0] - a[0]) / length, (b[1] - a[1]) / length
+    far = math.dist(a, b)
+    dx, dy = (b[0] - a[0]) / far, (b[1] - a[1]) / far
     best: tuple[float, float, float] = (math.inf, 0.0, 0.0)
     for sign in (1.0, -1.0):
         for offset in OFFSETS:
             nx, ny = -dy * sign * offset, dx * sign * offset
-            cost = ink.along((a[0] + nx, a[1] + ny), (b[0] + nx, b[1] + ny)) / (length + 20) + offset * 0.02
+            cost = ink.along((a[0] + nx, a[1] + ny), (b[0] + nx, b[1] + ny)) / (far + 20) + offset * 0.02
             if cost < best[0] - 1e-9:
                 best = cost, nx, ny
     _, nx, ny = (0.0, -dy, dx) if dimension.direct else best
@@ -177,7 +177,7 @@ def _dimension(a: Flat, b: Flat, dimension: Dimension, look: str, ink: Ink) -> t
         Shape((a, (a[0] + nx * past, a[1] + ny * past)), "extension"),
         Shape((b, (b[0] + nx * past, b[1] + ny * past)), "extension"),
     ]
-    if length < SHORT:
+    if far < SHORT:
         e, f = (c[0] - dx * 14, c[1] - dy * 14), (d[0] + dx * 14, d[1] + dy * 14)
         shapes += [
             Shape((e, f), look),

@@ -7,13 +7,13 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from dhcli.frozen import frozen
-from dhcli.geometry.vectors import Vector, cross, dot, scaled
+from dhcli.geometry.vectors import Vector, cross, dot, length, minus, plus, scaled
 from dhcli.scene.bodies import Body, Cylinder, body_of
 from dhcli.scene.camera import Camera
 from dhcli.scene.order import ordered
 from dhcli.scene.primitives import Drum, Hand, Plate, Rod, Scene
 from dhcli.scene.shapes import Shape, arrowhead, ring
-from dhcli.scene.vectors import Flat, along, middle, norm, sub, unit
+from dhcli.scene.vectors import Flat, middle, unit
 
 PIECE, MOST_PIECES = 0.4, 80
 """Length of a piece of a rod in radii of a drum, and how many of them a rod has at the most."""
@@ -71,15 +71,15 @@ def painted(scene: Scene, camera: Camera, *, turns: bool) -> list[Shape]:
 
 def turn_arc(body: Cylinder, camera: Camera) -> list[Vector]:
     """The points of a turn arrow around a drum, from its start to its tip."""
-    front = sub(camera.towards, scaled(body.axis, dot(camera.towards, body.axis)))
-    facing = unit(front) if norm(front) > 0.05 else unit(cross(camera.up, body.axis))  # noqa: PLR2004  end on
+    front = minus(camera.towards, scaled(body.axis, dot(camera.towards, body.axis)))
+    facing = unit(front) if length(front) > 0.05 else unit(cross(camera.up, body.axis))  # noqa: PLR2004  end on
     side = cross(body.axis, facing)
     radius = TURN * body.radius
     low, high = (math.radians(angle) for angle in SWEEP)
     found = []
     for i in range(ARC + 1):
         t = low + (high - low) * i / ARC
-        found.append(along(along(body.centre, facing, radius * math.cos(t)), side, radius * math.sin(t)))
+        found.append(plus(plus(body.centre, facing, radius * math.cos(t)), side, radius * math.sin(t)))
     return found
 
 
@@ -101,24 +101,24 @@ def _one_rod(
     rod: Rod, start: Vector, end: Vector, bodies: list[Body], camera: Camera, owner: tuple[int, float]
 ) -> Iterator[Piece]:
     number, unit_length = owner
-    length = norm(sub(end, start))
-    if not length:
+    far = length(minus(end, start))
+    if not far:
         return
     width = max(2 * rod.thickness * camera.scale, 3.0)
-    way, look = unit(sub(end, start)), "ground-link" if rod.ground else "link"
-    for low, high in _outside(start, way, length, bodies):
+    way, look = unit(minus(end, start)), "ground-link" if rod.ground else "link"
+    for low, high in _outside(start, way, far, bodies):
         count = max(1, min(MOST_PIECES, math.ceil((high - low) / (PIECE * unit_length))))
-        points = [along(start, way, low + (high - low) * i / count) for i in range(count + 1)]
+        points = [plus(start, way, low + (high - low) * i / count) for i in range(count + 1)]
         for a, b in pairwise(points):
             yield Piece(middle(a, b), (camera.flat(a), camera.flat(b)), look, number, width)
     for point in (start, end):
         if not _is_inside(point, bodies, camera):
-            yield Piece(along(point, camera.towards, -0.02 * unit_length), (camera.flat(point),), look, number, width)
+            yield Piece(plus(point, camera.towards, -0.02 * unit_length), (camera.flat(point),), look, number, width)
 
 
-def _outside(start: Vector, way: Vector, length: float, bodies: list[Body]) -> list[tuple[float, float]]:
+def _outside(start: Vector, way: Vector, far: float, bodies: list[Body]) -> list[tuple[float, float]]:
     """The parts of a line that are in no body; what is inside one is dropped."""
-    parts = [(0.0, length)]
+    parts = [(0.0, far)]
     for body in bodies:
         span = body.span(start, way)
         if span is None or span[0] == span[1]:
@@ -127,7 +127,7 @@ def _outside(start: Vector, way: Vector, length: float, bodies: list[Body]) -> l
             part
             for low, high in parts
             for part in ((low, min(high, span[0])), (max(low, span[1]), high))
-            if part[1] - part[0] > 1e-9 * length
+            if part[1] - part[0] > 1e-9 * far
         ]
     return parts
 
@@ -146,9 +146,9 @@ def _fork(scene: Scene, hand: Hand) -> tuple[Vector, tuple[Vector, Vector], tupl
     """The middle of the hand's bar, its ends, and the tips of the fingers."""
     wrist, state = scene.point(hand.wrist), hand.wrist.state
     forward, across = (scaled(scene.direction(state, d), hand.size) for d in (hand.forward, hand.across))
-    palm = along(wrist, forward, 0.3)
-    sides = along(palm, across, -0.38), along(palm, across, 0.38)
-    return palm, sides, (along(sides[0], forward, 0.7), along(sides[1], forward, 0.7))
+    palm = plus(wrist, forward, 0.3)
+    sides = plus(palm, across, -0.38), plus(palm, across, 0.38)
+    return palm, sides, (plus(sides[0], forward, 0.7), plus(sides[1], forward, 0.7))
 
 
 def _hand_pieces(scene: Scene, hand: Hand, camera: Camera) -> Iterator[Piece]:
@@ -205,13 +205,13 @@ def _drawn(piece: Piece, run: list[Flat]) -> list[Shape]:
     if not piece.width:
         return [Shape(tuple(run), piece.look, closed=piece.look.endswith("head"))]
     (x1, y1), (x2, y2) = run[0], run[-1]
-    length = math.dist(run[0], run[-1])
-    if length < 1e-9:  # noqa: PLR2004  end on
+    far = math.dist(run[0], run[-1])
+    if far < 1e-9:  # noqa: PLR2004  end on
         return []
-    nx, ny = (y1 - y2) / length * piece.width / 2, (x2 - x1) / length * piece.width / 2
+    nx, ny = (y1 - y2) / far * piece.width / 2, (x2 - x1) / far * piece.width / 2
     a, b = (x1 + nx, y1 + ny), (x2 + nx, y2 + ny)
     c, d = (x2 - nx, y2 - ny), (x1 - nx, y1 - ny)
-    ex, ey = (x2 - x1) / length * 0.4, (y2 - y1) / length * 0.4
+    ex, ey = (x2 - x1) / far * 0.4, (y2 - y1) / far * 0.4
     fill = tuple(
         (x + s * ex, y + s * ey) for (x, y), s in zip((a, b, c, d), (-1, 1, 1, -1), strict=True)
     )  # a hair longer, or the seams between pieces would shine through
@@ -230,7 +230,7 @@ def ground(scene: Scene, plate: Plate, camera: Camera) -> Iterator[Shape]:
     half = plate.size
 
     def at(s: float, t: float) -> Flat:
-        return camera.flat(along(along(centre, u, s * half), v, t * half))
+        return camera.flat(plus(plus(centre, u, s * half), v, t * half))
 
     yield Shape((at(-1, -1), at(1, -1), at(1, 1), at(-1, 1)), "plate", closed=True)
     for i in range(1, HATCHES * 2):
@@ -243,11 +243,11 @@ def _break(centre: Vector, normal: Vector, size: float, camera: Camera) -> Itera
     """A wavy line across the end of a rod."""
     x, y = camera.flat(centre)
     fx, fy = camera.flat_direction(normal)
-    length = math.hypot(fx, fy) or 1.0
-    ax, ay = -fy / length, fx / length
+    far = math.hypot(fx, fy) or 1.0
+    ax, ay = -fy / far, fx / far
     wide = 0.75 * size * camera.scale
     points = []
     for i in range(-8, 9):
         t, bend = i / 8, math.sin(i / 8 * math.pi) * wide * 0.35
-        points.append((x + ax * t * wide + fx / length * bend, y + ay * t * wide + fy / length * bend))
+        points.append((x + ax * t * wide + fx / far * bend, y + ay * t * wide + fy / far * bend))
     yield Shape(tuple(points), "break")

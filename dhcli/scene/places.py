@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator
 
 from dhcli.errors import plural
-from dhcli.geometry.vectors import ORIGIN, Vector, dot, scaled
+from dhcli.geometry.vectors import ORIGIN, Vector, dot, length, minus, scaled
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.pairs import LinkageError
-from dhcli.scene.vectors import centroid, norm, sub, unit
+from dhcli.scene.vectors import centroid, unit
 
 SAME = 1e-9
 """Points nearer than this part of the linkage's size are one."""
@@ -109,13 +109,13 @@ def corners(points: list[Vector]) -> list[Vector]:
         return points
     count = len(points)
     middle = scaled((sum(p[0] for p in points), sum(p[1] for p in points), sum(p[2] for p in points)), 1 / count)
-    u = unit(sub(points[0], middle))
-    beside = [sub(sub(p, middle), scaled(u, dot(sub(p, middle), u))) for p in points]
-    widest = max(beside, key=norm)
+    u = unit(minus(points[0], middle))
+    beside = [minus(minus(p, middle), scaled(u, dot(minus(p, middle), u))) for p in points]
+    widest = max(beside, key=length)
     v = unit(widest)
 
     def turn(point: Vector) -> float:
-        way = sub(point, middle)
+        way = minus(point, middle)
         return math.atan2(dot(way, v), dot(way, u))
 
     return sorted(points, key=turn)
@@ -124,9 +124,9 @@ def corners(points: list[Vector]) -> list[Vector]:
 def is_straight(points: list[Vector], size: float) -> bool:
     """Whether points lie on one line."""
     ends = farthest(points)
-    way = unit(sub(ends[1], ends[0]))
-    aside = [sub(sub(p, ends[0]), scaled(way, dot(sub(p, ends[0]), way))) for p in points]
-    return max(map(norm, aside)) < 1e-6 * size
+    way = unit(minus(ends[1], ends[0]))
+    aside = [minus(minus(p, ends[0]), scaled(way, dot(minus(p, ends[0]), way))) for p in points]
+    return max(map(length, aside)) < 1e-6 * size
 
 
 def farthest(points: list[Vector]) -> tuple[Vector, Vector]:

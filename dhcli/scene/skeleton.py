@@ -8,7 +8,7 @@ from typing import Literal, TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.frozen import frozen
-from dhcli.geometry.vectors import ORIGIN, Vector, scaled
+from dhcli.geometry.vectors import ORIGIN, Vector, length, minus, plus, scaled
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, expressions
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers
@@ -16,7 +16,7 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.walk import symbols, symbols_in
 from dhcli.notation.writer import write, write_angle
-from dhcli.scene.vectors import WORLD, Frame, add, norm, sub, unit
+from dhcli.scene.vectors import WORLD, Frame, unit
 from dhcli.scene.words import Words, spelled
 
 Given: TypeAlias = Mapping[str, Angle | float]
@@ -96,7 +96,7 @@ class Skeleton:
         found: list[Leg] = []
         for state, move in enumerate(self.chain):
             found += _legs_of(state, move, floats, self.robot)
-        return tuple(leg for leg in found if leg.variable or norm(sub(leg.end, leg.start)) > 0)
+        return tuple(leg for leg in found if leg.variable or length(minus(leg.end, leg.start)) > 0)
 
     def ends(self, leg: Leg) -> tuple[Vector, Vector]:
         """Where a piece starts and ends in the world [m]."""
@@ -133,7 +133,7 @@ def turned(frame: Frame, axis: str, cos: float, sin: float) -> Frame:
 
 
 def _mix(a: Vector, b: Vector, cos: float, sin: float) -> Vector:
-    return add(scaled(a, cos), scaled(b, sin))
+    return plus(scaled(a, cos), scaled(b, sin))
 
 
 def _axes(robot: Robot, given: Given) -> list[Axis]:
@@ -163,12 +163,12 @@ def variables_of(move: Trans, robot: Robot) -> list[str]:
 def slope(move: Trans, name: str, given: Given) -> Vector:
     """How a translation grows with a variable, in which it is affine."""
     low, high = (offset(move, Floats({**given, name: at})) for at in (0.0, 1.0))
-    return sub(high, low)
+    return minus(high, low)
 
 
 def offset(move: Trans, floats: Floats) -> Vector:
     """A translation in numbers [m]."""
-    x, y, z = (float(floats.length(length)) for length in move.offset)
+    x, y, z = (float(floats.length(part)) for part in move.offset)
     return x, y, z
 
 
@@ -187,7 +187,7 @@ def _stretches(state: int, lengths: list[Expr], floats: Floats, robot: Robot) ->
     for axis, expr in zip(AXES.values(), lengths, strict=True):
         value = float(floats.length(expr))
         held = [name for name in robot.variables if name in symbols(expr)]
-        end = add(at, scaled(axis, value))
+        end = plus(at, scaled(axis, value))
         if value or held:
             words = spelled(write(_positive(expr), "short", robot.writing))
             found.append(Leg(state, at, end, words, held[0] if held else ""))

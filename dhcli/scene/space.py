@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from dhcli.geometry.vectors import Vector
+from dhcli.geometry.vectors import Vector, plus
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.scene.fan import HALF, STEP
 from dhcli.scene.places import Places, corners, farthest, is_straight
 from dhcli.scene.primitives import Anchor, Ball, Box, Drum, Face, Mark, Rod, Scene, Solid
-from dhcli.scene.vectors import WORLD, across, along, unit
+from dhcli.scene.vectors import WORLD, sideways, unit
 from dhcli.scene.words import named
 
 SIZE, ROD = 0.036, 0.2
@@ -33,7 +33,7 @@ def space_scene(linkage: Linkage) -> Scene:
     rods: list[Rod] = []
     for joint, at, shift in zip(linkage.joints, places.at, slid, strict=True):
         if shift and joint.axis:
-            rods.append(_rod(at, along(at, unit(joint.axis), shift), size, state[joint.links[0]]))
+            rods.append(_rod(at, plus(at, unit(joint.axis), shift), size, state[joint.links[0]]))
         rods += _arms(joint, at, size, state)
     for link, points in places.links.items():
         made, faces = _link(linkage, state[link], points, places.size, size)
@@ -65,9 +65,9 @@ def _shift(places: Places, number: int, size: float) -> float:
 def _bodies(joint: Joint, at: Vector, shift: float, size: float, state: int) -> Iterator[Solid]:
     if joint.pair.name in TURNING and joint.axis:
         axis = unit(joint.axis)
-        yield Drum(joint.name, Anchor(state, along(at, axis, shift)), axis, size, HALF * size)
+        yield Drum(joint.name, Anchor(state, plus(at, axis, shift)), axis, size, HALF * size)
     elif joint.pair.name == "prismatic" and joint.axis:
-        yield Box(joint.name, Anchor(state, at), unit(joint.axis), across(joint.axis), size)
+        yield Box(joint.name, Anchor(state, at), unit(joint.axis), sideways(joint.axis), size)
     elif joint.pair.name in ("spherical", "universal"):
         yield Ball(Anchor(state, at), 0.8 * size)
 
@@ -76,7 +76,7 @@ def _arms(joint: Joint, at: Vector, size: float, state: dict[str, int]) -> Itera
     """The cross of a universal joint, each arm in the bearings of its link."""
     if joint.pair.name == "universal" and joint.axis and joint.axis2:
         for link, axis in zip(joint.links, (joint.axis, joint.axis2), strict=True):
-            ends = [Anchor(state[link], along(at, unit(axis), s * 1.7 * size)) for s in (-1, 1)]
+            ends = [Anchor(state[link], plus(at, unit(axis), s * 1.7 * size)) for s in (-1, 1)]
             yield Rod(ends[0], ends[1], 0.12 * size)
 
 
@@ -103,7 +103,7 @@ def _shafts(places: Places, slid: list[float], size: float, state: dict[str, int
         short = [link for link in joint.links if len(places.links[link]) < 2]  # noqa: PLR2004  one place
         if short:
             held = state[short[0]]
-            start, end = along(at, axis, shift), along(at, axis, shift + side * SHAFT * 0.6 * size)
+            start, end = plus(at, axis, shift), plus(at, axis, shift + side * SHAFT * 0.6 * size)
             yield Rod(Anchor(held, start), Anchor(held, end), ROD * size, ground=places.linkage.ground in joint.links)
 
 

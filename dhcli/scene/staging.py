@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
-from dhcli.geometry.vectors import UNITS, Vector
+from dhcli.geometry.vectors import UNITS, Vector, plus
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Robot, Value
@@ -24,7 +24,6 @@ from dhcli.scene.painter import grip, painted
 from dhcli.scene.primitives import Ball, Box, Drum, Face, Scene
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.skeleton import Skeleton
-from dhcli.scene.vectors import along
 from dhcli.scene.words import Run, in_line
 
 WIDTH, HEIGHT = 820.0, 640.0
@@ -182,20 +181,20 @@ def extent(scene: Scene) -> list[Vector]:
             continue
         centre = scene.point(solid.centre)
         size = solid.radius * 1.5 if isinstance(solid, Drum | Ball) else solid.half
-        points += [along(centre, axis, sign * size) for axis in UNITS for sign in (1, -1)]
+        points += [plus(centre, axis, sign * size) for axis in UNITS for sign in (1, -1)]
         if isinstance(solid, Drum | Box):
             axis = scene.direction(solid.centre.state, solid.axis)
-            points += [along(centre, axis, sign * 2.0 * scene.unit) for sign in (1, -1)]
+            points += [plus(centre, axis, sign * 2.0 * scene.unit) for sign in (1, -1)]
     for arrow in scene.arrows:
         direction = scene.direction(arrow.start.state, arrow.direction)
-        points += [scene.point(arrow.start), along(scene.point(arrow.start), direction, arrow.length)]
+        points += [scene.point(arrow.start), plus(scene.point(arrow.start), direction, arrow.length)]
     if scene.plate is not None:
         centre = scene.point(scene.plate.centre)
         size = scene.plate.size
         points += [add_flat(centre, s * size, t * size) for s in (1, -1) for t in (1, -1)]
     if scene.hand is not None:
         wrist, hand = scene.point(scene.hand.wrist), scene.hand
-        points.append(along(wrist, scene.direction(hand.wrist.state, hand.forward), hand.size))
+        points.append(plus(wrist, scene.direction(hand.wrist.state, hand.forward), hand.size))
     points += [scene.point(mark.at) for mark in scene.marks]
     return points
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import NamedTuple, TypeAlias
 
-from dhcli.geometry.vectors import ORIGIN, Vector, cross, scaled
+from dhcli.geometry.vectors import ORIGIN, Vector, cross, length, plus, scaled
 
 Flat: TypeAlias = tuple[float, float]
 """A point on paper: to the right, and down."""
@@ -25,7 +24,7 @@ class Frame(NamedTuple):
 
     def point(self, local: Vector) -> Vector:
         """Where a point of this frame is."""
-        return add(self.direction(local), self.origin)
+        return plus(self.direction(local), self.origin)
 
     def direction(self, local: Vector) -> Vector:
         """Where a direction of this frame points."""
@@ -37,35 +36,15 @@ class Frame(NamedTuple):
 WORLD = Frame((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), ORIGIN)
 
 
-def add(a: Vector, b: Vector) -> Vector:
-    """Sum."""
-    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
-
-
-def sub(a: Vector, b: Vector) -> Vector:
-    """Difference."""
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
-
-
-def along(start: Vector, direction: Vector, factor: float) -> Vector:
-    """A point on a line."""
-    return start[0] + factor * direction[0], start[1] + factor * direction[1], start[2] + factor * direction[2]
-
-
-def norm(a: Vector) -> float:
-    """Euclidean length."""
-    return math.hypot(*a)
-
-
 def unit(a: Vector) -> Vector:
     """Direction of length one; no length stays none."""
-    length = norm(a)
-    return scaled(a, 1 / length) if length > TINY else ORIGIN
+    size = length(a)
+    return scaled(a, 1 / size) if size > TINY else ORIGIN
 
 
-def across(axis: Vector) -> Vector:
+def sideways(axis: Vector) -> Vector:
     """Some direction of length one at right angles to an axis, always the same."""
-    other: Vector = (1.0, 0.0, 0.0) if abs(axis[0]) < 0.6 * norm(axis) else (0.0, 1.0, 0.0)
+    other: Vector = (1.0, 0.0, 0.0) if abs(axis[0]) < 0.6 * length(axis) else (0.0, 1.0, 0.0)
     return unit(cross(axis, other))
 
 

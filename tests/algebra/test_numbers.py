@@ -71,7 +71,7 @@ def test_the_unit_of_the_field_has_720_steps_and_no_fewer(field: Field) -> None:
     assert field.root_of_unity(-1) * field.root_of_unity(1) % field.prime == 1
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("steps", "twice"),
     [(0, "2"), (120, "1"), (90, "√2"), (60, "√3"), (180, "0"), (240, "-1"), (72, "(1+√5)/2"), (360, "-2")],
 )
@@ -135,7 +135,7 @@ def test_right_angles_are_structural_in_every_arithmetic(quarters: int) -> None:
     assert [int(value) for value in Sympy().cos_sin(angle)] == list(wanted)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("degrees", "cosine_"),
     [
         (0, 1.0),
@@ -197,7 +197,7 @@ def test_structural_integers_cost_nothing(zero: int) -> None:
     assert plus(big, 0) is big
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "sympy_text"),
     [
         ("c1*(a1 + a2)", "(a1 + a2)*cos(theta1)"),

@@ -13,9 +13,10 @@ from dhcli.checking.verdicts import Verdict
 from tests.checking.mutated_kinds import FILES, exercise_of
 from tests.cli.running import run
 from tests.judging import mark
+from tests.row_by_row import row_by_row
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("ask", "answer", "where"),
     [
         ("entry 2 4 of link 1", "a1*sqrt(1 - c1^2)", "right only where sin(theta1) >= 0; a square root loses the sign"),

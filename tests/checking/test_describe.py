@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import pytest
-
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.yaml.exercises import read_exercise
 from tests.judging import mark
+from tests.row_by_row import row_by_row
 
 
-@pytest.mark.parametrize("unit", ["mm", "m", "none"])
-@pytest.mark.parametrize(
+@row_by_row("unit", ["mm", "m", "none"])
+@row_by_row(
     ("piece", "typed", "shown"),
     [
         ("point", "(0.2, 0, 0)", "(0.2, 0, 0)"),

@@ -36,6 +36,7 @@ from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from tests.judging import expected, mark, mark_sheet
 from tests.nightly import examples, some
+from tests.row_by_row import row_by_row
 from tests.strategies import polynomials
 
 COSINE, SINE = math.cos(math.radians(75)), math.sin(math.radians(75))
@@ -44,7 +45,7 @@ Y = 0.4 * math.sin(math.radians(30)) + 0.3 * SINE
 SIZE = 0.7
 """Lengths of the planar arm [m]: 0.4 and 0.3."""
 
-SEEN_ENOUGH = examples(1)
+SEEN_ENOUGH = examples(0.5)
 
 
 @cache
@@ -82,7 +83,7 @@ def verdict(answer: str, part: str = "pose", exercise: Exercise | None = None) -
 # ---------------------------------------------------------------------------------------------------- tolerances
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("error", "found"),
     [
         (0.0, Verdict.RIGHT),
@@ -251,6 +252,22 @@ def test_one_decimal_is_too_few_in_every_kind_of_answer(
         is_short,
         verdict is not Verdict.ROUNDED or is_short,
     )
+
+
+@given(st.integers(-179, 180), st.integers(0, 5), st.sampled_from([-0.3, -0.2, 0.2, 0.3]))
+def test_an_entry_that_is_no_rounding_of_the_truth_is_wrong_however_few_digits_it_has(
+    degrees: int, at: int, off: float
+) -> None:
+    """Two tenths are more than any rounding or cutting off to one decimal leaves out."""
+    robot = load_robot("planar-2r")
+    exercise = question_about(robot, "pose 0..2", numeric=True, given=joint_values(robot, f"{degrees}°,30°"))
+    rows = [list(map(float, row)) for row in forward(robot, (math.radians(degrees), math.radians(30))).rows]
+    row, column = at // 3, (0, 1, 3)[at % 3]
+    rows[row][column] += off
+    answer = "; ".join(" ".join(f"{entry:.1f}" for entry in line) for line in rows)
+    judged = check(exercise, "pose", answer)
+    assert not judged.is_too_short
+    assert judged.verdict in (Verdict.WRONG, Verdict.CLOSE)
 
 
 # ------------------------------------------------------------------------------------------------------ geometry

@@ -50,7 +50,7 @@ def test_decimals_are_worth_their_digits(answer: str, verdict: Verdict) -> None:
     assert mark(exercise, part, answer).verdict is verdict
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("answer", "verdict"),
     [
         ("6", Verdict.RIGHT),

@@ -11,7 +11,7 @@ import subprocess
 import sys
 import traceback
 import warnings
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
@@ -125,10 +125,10 @@ def start(
     folder: Path,
     *words: str,
     environment: Mapping[str, str] | None = None,
-    prepare: Callable[[], None] | None = None,
+    work: Callable[[Sequence[str]], int] = main,
     **streams: Any,  # noqa: ANN401  as Popen takes them
 ) -> subprocess.Popen[str]:
-    """Start `dhcli` in a process of its own, which can be stopped or need not end.
+    """Start `dhcli`, or another program, in a process of its own, which can be stopped or need not end.
 
     It is a copy of this one that never becomes another program: no start of Python, nothing to import.
 
@@ -136,7 +136,7 @@ def start(
         folder: Where it works.
         words: What is typed after `dhcli`.
         environment: Variables to set.
-        prepare: What to do in the process before.
+        work: What takes the words and gives an exit code.
         streams: Of the process, and whether it gets a session of its own; all as Popen has them.
     """
 
@@ -145,9 +145,7 @@ def start(
         try:
             _begin()
             os.environ.update(environment or {})
-            if prepare:
-                prepare()
-            code = main(words)
+            code = work(words)
             sys.stdout.flush()
         except BaseException:  # noqa: BLE001  the test sees it
             traceback.print_exc()

@@ -28,7 +28,7 @@ def options(command: str) -> dict[str, str]:
     return {param.opts[0]: param.help for param in app.load(command).params if param.opts[0].startswith("--")}
 
 
-@pytest.mark.parametrize("command", ABOUT_ROBOTS)
+@row_by_row("command", ABOUT_ROBOTS)
 def test_every_command_about_a_robot_takes_a_tool_and_a_urdf(command: str) -> None:
     """And the lengths of the robot."""
     assert {"--tool", "--base", "--tip", "--as-typed", "--set"} <= options(command).keys()

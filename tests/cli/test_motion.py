@@ -443,22 +443,6 @@ def test_a_file_of_torques_is_overwritten_when_told(dhcli: Run) -> None:
     assert dhcli(*words, "--overwrite").code == 0
 
 
-def test_no_command_about_motion_imports_sympy_and_symbols_no_numpy(process: Run) -> None:
-    """Numpy is for singular values and many rows."""
-    script = "import sys; from dhcli.cli.main import main; main({words}); "
-    script += "bad = {bad} & sys.modules.keys(); assert not bad, bad"
-    for words, bad in (
-        (["jacobian", "puma560", "-s"], {"numpy", "sympy"}),
-        (["jacobian", "puma560", "--pose", "nominal"], {"numpy", "sympy"}),
-        (["singularities", "puma560"], {"numpy", "sympy"}),
-        (["singularities", "puma560", "--pose", "nominal"], {"sympy"}),
-        (["torques", "puma560", "--pose", "nominal", "--force", "0,0,1"], {"numpy", "sympy"}),
-        (["rates", "planar-2r", "-s"], {"numpy", "sympy"}),
-    ):
-        done = process(script=f'"$0" -c "{script.format(words=words, bad=bad)}"')
-        assert done.code == 0, done.err
-
-
 def test_dof_says_what_the_end_frame_has_lost(dhcli: Run) -> None:
     """At joint values of a robot: how many freedoms, and why."""
     out = dhcli("dof", "puma560", "--q", "10,20,30,40,0,60", "--deg").out

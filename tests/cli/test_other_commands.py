@@ -10,6 +10,7 @@ from markdown_it import MarkdownIt
 
 from dhcli import load_exercise, load_robot
 from tests.cli.running import Run
+from tests.nightly import paired
 
 BAJD = "Trans(8,-6,14) Rot(y,90°) Rot(z,90°)"
 
@@ -175,8 +176,10 @@ def test_kinds_without_content_are_not_shown(dhcli: Run, monkeypatch: pytest.Mon
     assert done.err == "there are no linkages yet\n"
 
 
-@pytest.mark.parametrize("convention", ["standard", "modified", "product"])
-@pytest.mark.parametrize("joints", ["R", "P", "RRP", "PPP", "PRRPRR", "RRRRRRRRRRRR"])
+@pytest.mark.parametrize(
+    ("convention", "joints"),
+    paired(["standard", "modified", "product"], ["R", "P", "RRP", "PPP", "PRRPRR", "RRRRRRRRRRRR"]),
+)
 def test_a_new_robot_works_at_once(dhcli: Run, tmp_path: Path, convention: str, joints: str) -> None:
     """`dhcli fk NAME` finds it, in numbers, by its named pose and in symbols."""
     done = dhcli("new", "robot", "my-arm", "--convention", convention, "--joints", joints)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import pytest
+
 from tests.cli.running import run
 
 ARM = "tests/data/urdf/three-joints.urdf"
@@ -101,6 +103,17 @@ def test_only_a_robot_has_links_to_choose() -> None:
     """An exercise and a linkage say so."""
     done = run("show", "bennett", "--tip", "hand")
     assert (done.code, "bennett is no robot" in done.err) == (2, True)
+
+
+def test_a_log_with_the_names_of_the_urdf_is_read(tmp_path: Path) -> None:
+    """In any order, with units in the heads."""
+    log = tmp_path / "joint_states.csv"
+    log.write_text("slide [mm],elbow[deg],shoulder\n200,-60,0.3\n", "utf-8")
+    rows = run("fk", str(ROOT / ARM), "--tip", "tool0", "--rows", str(log), "--as", "position").out.splitlines()
+    one = run("fk", str(ROOT / ARM), "--tip", "tool0", "--q", "shoulder=0.3,elbow=-60deg,slide=0.2", "--format", "json")
+    assert [float(x) for x in rows[1].split(",")] == pytest.approx(
+        [row[3] for row in one.data["matrix"][:3]], abs=1e-14
+    )
 
 
 def test_formulas_of_tilted_axes_have_few_decimals_for_people_and_all_for_programs(tmp_path: Path) -> None:

@@ -38,6 +38,24 @@ def test_credits_and_the_order_of_columns_are_told_before_a_part_is_answered(tmp
         assert "columns: a  alpha  d  theta; angles in degrees" in asked
 
 
+def test_how_a_formula_is_written_is_told_once(tmp_path: Path) -> None:
+    """And not again for the next part, which is another formula."""
+    with Terminal(tmp_path, "check", "inverse/planar-joints") as screen:
+        assert "Write ± for two signs" in screen.until("elbow> ")
+        screen.type("skip\n")
+        assert "Write ± for two signs" not in screen.until("shoulder> ")
+
+
+def test_an_answer_in_too_few_digits_is_asked_for_again(tmp_path: Path) -> None:
+    """It is ROUNDED, and no proof of work."""
+    with Terminal(tmp_path, "check", "yim/planar-in-numbers", "--part", "a1") as screen:
+        screen.until("a1> ")
+        screen.type("[0.9 -0.5 0 0.3; 0.5 0.9 0 0.2; 0 0 1 0; 0 0 0 1]\n")
+        judged = screen.until("a1> ")
+        assert "ROUNDED" in judged
+        assert "Try again" in judged
+
+
 def test_a_table_in_one_line_is_judged_at_once(tmp_path: Path) -> None:
     """One whose line ends with a semicolon goes on."""
     with Terminal(tmp_path, "check", PLANAR, "--part", "table") as screen:
@@ -246,7 +264,7 @@ def test_a_table_from_a_spreadsheet_is_read_with_its_tabs(tmp_path: Path) -> Non
         assert screen.end() == 0
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("lines", "is_matrix", "text"),
     [
         (["c1 -s1", "s1 c1", ""], True, "c1 -s1; s1 c1"),

@@ -20,12 +20,19 @@ from dhcli.storage.atomic import write_whole
 from dhcli.storage.home import user_folder
 
 ROOT = Path(__file__).parents[2]
-TRY = """
-import sys
+TRIES = """
+import os, sys
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.progress import record
-sys.stdin.readline()  # so that all of them begin together
-sys.stderr.write(record("yim/x", {"a": Verdict.WRONG}))
+reading, writing = os.pipe()
+for _ in range(20):
+    if not os.fork():
+        os.close(writing)
+        os.read(reading, 1)  # so that all of them begin together
+        sys.stderr.write(record("yim/x", {"a": Verdict.WRONG}))
+        sys.exit()
+os.close(writing)
+assert [os.wait()[1] for _ in range(20)] == [0] * 20
 """
 DAY = 24 * 3600
 
@@ -41,14 +48,8 @@ def broken() -> Path:
 @pytest.mark.skipif(not hasattr(os, "O_DIRECTORY"), reason="this system cannot hold a folder")
 def test_twenty_checks_at_once_are_twenty_tries() -> None:
     """And nothing but the file is left behind."""
-    running = [
-        subprocess.Popen(
-            [sys.executable, "-c", TRY], stdin=subprocess.PIPE, stderr=subprocess.PIPE, cwd=ROOT, encoding="utf-8"
-        )
-        for _ in range(20)
-    ]
-    said = [process.communicate("\n")[1] for process in running]
-    assert said == [""] * 20
+    done = subprocess.run([sys.executable, "-c", TRIES], cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+    assert (done.returncode, done.stderr) == (0, "")
     assert read_progress() == ({"yim/x": {"a": Try("WRONG", 20)}}, "")
     assert os.listdir(path_of_progress().parent) == ["progress.json"]
 

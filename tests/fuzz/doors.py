@@ -334,6 +334,7 @@ FILES: dict[str, tuple[str, tuple[tuple[str, ...], ...]]] = {
     ),
     "listing": ("tests/data/foreign/four-links.m", (("new", "robot", "--from", "x.m", "-o", "-"), ("fk", "x.m"))),
     "page": ("tests/data/foreign/craig.md", (("new", "robot", "--from", "x.md", "-o", "-"),)),
+    "paper": ("tests/data/foreign/scara.tex", (("new", "robot", "--from", "x.tex", "-o", "-"),)),
     "kinematics": (
         "tests/data/foreign/ur5e-kinematics.yaml",
         (("new", "robot", "--from", "x.yaml", "-o", "-"), ("show", "./x.yaml")),

@@ -18,6 +18,7 @@ from dhcli.kinematics import robot as robot_module
 from dhcli.kinematics.describe.asked import Asked
 from dhcli.kinematics.describe.description import describe
 from dhcli.kinematics.validity import check
+from tests.row_by_row import row_by_row
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -145,7 +146,7 @@ def test_a_robot_of_screws_moves_as_the_product_of_their_exponentials(frame: str
     assert np.allclose(forward(robot, q).matrix, expected, atol=1e-14)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("screws", "home", "said"),
     [
         ([(0, 0, 1, 0, 0)], "", "5 numbers, not six"),

@@ -332,7 +332,7 @@ def test_a_robot_without_motors_has_none() -> None:
         in_motors(PALLETIZER)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "turns", "message"),
     [
         ("m2*m3", True, "not linear"),

@@ -110,9 +110,7 @@ def test_a_name_is_a_text(load: Any, name: Any) -> None:  # noqa: ANN401
         load(name)
 
 
-@pytest.mark.parametrize(
-    "rows", [(), None, 5, "abcd", ((1, 2), (3, 4)), ((1, 2, 3, 4),) * 3, (None,) * 4, [["a"] * 4] * 4]
-)
+@row_by_row("rows", [(), None, 5, "abcd", ((1, 2), (3, 4)), ((1, 2, 3, 4),) * 3, (None,) * 4, [["a"] * 4] * 4])
 def test_a_pose_is_a_matrix_of_four_by_four(rows: Any) -> None:  # noqa: ANN401
     """From its first moment."""
     with pytest.raises(DhcliError, match="a pose"):

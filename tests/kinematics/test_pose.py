@@ -13,6 +13,7 @@ from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.forward import factors, forward, symbolic, textbook_form
 from dhcli.kinematics.moves import read_chain, spelled
 from dhcli.kinematics.pose import Pose
+from tests.row_by_row import row_by_row
 
 
 def test_the_inner_frames_of_a_product_must_be_the_same() -> None:
@@ -66,7 +67,7 @@ def test_a_pose_shows_itself() -> None:
     assert Pose(pose.rows, title="A_1").name == "A_1"
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("value", "digits", "text"),
     [
         (0.30000000000000004, 4, "0.3"),

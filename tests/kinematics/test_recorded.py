@@ -23,6 +23,7 @@ from dhcli.kinematics.velocity.form import Form
 from dhcli.kinematics.velocity.jacobian import numeric_jacobian
 from dhcli.kinematics.velocity.view import MotionView
 from tests.kinematics.arms import moving_robots, with_values
+from tests.row_by_row import row_by_row
 
 
 def folded(robot: Robot, q: Sequence[float], start: str | None = None, end: str | None = None) -> Pose[float]:
@@ -88,8 +89,8 @@ def test_no_values_are_too_large_to_be_answered(q: list[float]) -> None:
     assert answers[0] == answers[1]
 
 
-@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
-@pytest.mark.parametrize("joint", [0, 2, 5])
+@row_by_row("bad", [math.nan, math.inf, -math.inf])
+@row_by_row("joint", [0, 2, 5])
 def test_a_value_that_is_no_number_is_refused_wherever_it_stands(bad: float, joint: int) -> None:
     """Also at a joint behind the frame that is asked for, the first time and every other."""
     robot = load_robot("puma560")

@@ -142,3 +142,48 @@ def test_links_without_brackets_are_shown_with_them(tmp_path: Path) -> None:
     assert (found.message, found.hint) == ("links: should be a list, is a text", "write [crank, rod]")
     (found,) = findings(tmp_path, f"{text}  - {{type: R, links: crank}}\n  - {{type: R, links: [crank, rod]}}\n")
     assert (found.message, found.hint) == ("links: should be a list, is a text", "write [ground, crank]")
+
+
+def test_cosines_of_degrees_without_their_sign_are_told(tmp_path: Path) -> None:
+    """Nobody means 60 radians, written or by a name."""
+    (found,) = findings(tmp_path, CLEAN.replace("B: [-0.5, 1]", "B: [-0.5, cos(60)]"))
+    assert (found.message, found.hint) == ("cos of 60 does not say what 60 is", "write 60° for degrees")
+    named = CLEAN.replace("points:", "let: {phi: 60}\npoints:").replace("B: [-0.5, 1]", "B: [-0.5, 2*cos(phi)]")
+    (found,) = findings(tmp_path, named)
+    assert found.message == "phi is 60 without a unit, and stands in a cosine or sine"
+    assert found.hint == "write phi: 60°"
+    assert findings(tmp_path, named.replace("phi: 60", "phi: 60°")) == []
+    assert findings(tmp_path, named.replace("phi: 60", "phi: 1.0472")) == []
+
+
+LOOSE = "format: 1\ntitle: T\nsource: S\nspace: planar\npoints: {A: [0, 0], B: [1, 0]}\njoints:\n"
+
+
+@pytest.mark.parametrize(
+    ("joint", "message", "hint"),
+    [
+        ("ground - R - crank", "'ground - R - crank' is not read as a joint", "write ground R crank"),
+        (
+            "ground -> R -> crank at A",
+            "'ground -> R -> crank at A' is not read as a joint",
+            "write ground R crank at A",
+        ),
+        ("ground, R, crank", "'ground, R, crank' is not read as a joint", "write ground R crank"),
+        ("R ground crank", "'R ground crank' is not read as a joint", "write ground R crank"),
+        (
+            "ground R crank at (0, 1)",
+            "'ground R crank at (0, 1)' is not read as a joint",
+            "write {type: R, links: [ground, crank], point: [0, 1]}, or name the point under points:",
+        ),
+        ("ground P crank along X", "axis: 'X' is no direction", "write x"),
+        ("ground P crank along A-B", "axis: 'A-B' is no direction", "write A to B"),
+        ("{type: R, links: [ground, crank], at: A}", "at: unknown key", "did you mean point?"),
+        ("{type: R, between: [ground, crank], point: A}", "between: unknown key", "did you mean links?"),
+        ("{type: P, links: [ground, crank], axis: [1 0]}", "axis: a comma stands between values", "write [1, 0]"),
+        ("{type: P, links: [ground, crank], axis: [1; 0]}", "axis: a comma stands between values", "write [1, 0]"),
+    ],
+)
+def test_a_joint_in_other_words_is_shown_as_it_is_written(tmp_path: Path, joint: str, message: str, hint: str) -> None:
+    """One problem each, with what would be right."""
+    found = findings(tmp_path, f"{LOOSE}  - {joint}\n  - crank R ground at B\n")
+    assert [(one.message, one.hint) for one in found if one.at.startswith("7:")] == [(message, hint)]

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from dhcli.geometry.vectors import Vector
 from dhcli.mobility.finding import analyse
-from dhcli.mobility.linkage import Joint, Linkage, Vector
+from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.pairs import PLANAR, SPATIAL, pair_of
 from dhcli.mobility.result import Mobility
 

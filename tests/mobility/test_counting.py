@@ -43,7 +43,7 @@ def test_a_pattern_is_counted(pattern: str, n: str, j: str, f: str) -> None:
     assert (str(found.n), str(found.j), str(found.by_freedoms), str(found.by_constraints)) == (n, j, f, f)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("space", "n", "joints", "f"),
     [
         (PLANAR, "4", "4R", 1),
@@ -114,7 +114,7 @@ def test_an_answer_says_what_it_could_settle() -> None:
     assert analyse(counted("n-RPS")).gruebler is None
 
 
-@pytest.mark.parametrize("text", ["", "6", "6X", "-3R", "0-UPS", "loop R", "loop", "99999999R", "a-b", "6-", "RR RX"])
+@row_by_row("text", ["", "6", "6X", "-3R", "0-UPS", "loop R", "loop", "99999999R", "a-b", "6-", "RR RX"])
 def test_what_is_no_pattern_is_refused_with_its_place(text: str) -> None:
     """And with what would be right."""
     with pytest.raises(DhcliError) as caught:
@@ -129,7 +129,7 @@ def test_a_space_that_does_not_exist_is_refused(text: str) -> None:
         space_of(text)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("n", "joints"),
     [("-4", "4R"), ("4", "-4R"), ("4.5", "4R"), ("4", "R4"), ("4", ""), ("0", "1R"), ("9", "4R"), ("sqrt(2)", "4R")],
 )

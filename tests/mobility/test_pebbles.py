@@ -12,11 +12,12 @@ import numpy as np
 import pytest
 
 from dhcli.geometry.rank import rank_of
+from dhcli.geometry.vectors import Vector
 from dhcli.mobility import decision
 from dhcli.mobility.copies import mapped
 from dhcli.mobility.counting import Counts
 from dhcli.mobility.large import _placed, _widest, eliminate, large_mobility
-from dhcli.mobility.linkage import Joint, Linkage, Vector
+from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.model import model_of
 from dhcli.mobility.pairs import LETTERS, PLANAR, SPATIAL, pair_of
 from dhcli.mobility.pebbles import generic_freedoms, independent

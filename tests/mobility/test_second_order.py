@@ -15,6 +15,7 @@ from dhcli.mobility.second_order import common_zero, cover, possible, proves_rig
 from tests.mobility.building import joint, planar
 from tests.mobility.mechanisms import linkage
 from tests.nightly import cases_for_nights, examples
+from tests.row_by_row import row_by_row
 
 seeds = st.integers(0, 10_000)
 law = examples(0.8)
@@ -89,7 +90,7 @@ def test_a_zero_near_by_is_found(seed: int, size: int) -> None:
     assert np.abs(found @ forms @ found).max() < 1e-10
 
 
-@pytest.mark.parametrize("seed", range(10))
+@row_by_row("seed", range(10))
 def test_a_form_that_is_nowhere_negative_leaves_its_null_space(seed: int) -> None:
     """And what a second form stops in there is left out too."""
     draw = np.random.default_rng(seed)

@@ -7,8 +7,9 @@ import itertools
 import numpy as np
 import pytest
 
+from dhcli.geometry.vectors import Vector
 from dhcli.mobility.finding import analyse
-from dhcli.mobility.linkage import Joint, Linkage, Vector
+from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.pairs import PLANAR, SPATIAL, pair_of
 
 ORIGIN: Vector = (0.0, 0.0, 0.0)

@@ -56,7 +56,7 @@ def test_any_other_angle_has_the_digits_of_a_float(value: Fraction, function: st
     assert angle.constant() == pytest.approx(getattr(math, function)(value), abs=math.ulp(math.pi))
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "written"),
     [
         ("theta2 - acos(1/2)", "theta2 - 60°"),

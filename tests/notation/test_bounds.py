@@ -133,7 +133,7 @@ def test_an_attack_ends_at_a_cap(attack: int, read: Callable[[str, Scope], objec
             assert len(str(error)) < 2500
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "message"),
     [
         ("a" * 2001, "2001 characters are more than the 2000 that are read"),
@@ -154,7 +154,7 @@ def test_a_text_beyond_a_cap_names_it(text: str, message: str) -> None:
     assert caught.value.problems[0].message == message
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "text",
     [
         "a" * 2000,

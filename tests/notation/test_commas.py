@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
@@ -103,7 +102,7 @@ def test_what_may_be_a_decimal_comma_is_spoken_of() -> None:
     assert comma_remark("1, 2, 3") == comma_remark("0,5") == comma_remark("0,5 " * LONGEST) == ""
 
 
-@pytest.mark.parametrize("unit", ["0,5 ", "0,5;", "(", "\\\\", "0,5\n", " ", "|", "0,5 a", "1,2"])
+@row_by_row("unit", ["0,5 ", "0,5;", "(", "\\\\", "0,5\n", " ", "|", "0,5 a", "1,2"])
 def test_commas_are_looked_for_once(unit: str) -> None:
     """In two thousand characters of anything."""
     text = "0,5" + unit * ((LONGEST - 3) // len(unit))

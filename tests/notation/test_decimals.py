@@ -63,7 +63,7 @@ def test_of_two_floats_the_nearer_is_read(number: float, beside: int, has_point:
     assert beside or math.frexp(found)[0] * 2**53 % 2 == 0
 
 
-@pytest.mark.parametrize("text", ["1,,2,", "1 2,", "1e,", "--1,", "0,-,"])
+@row_by_row("text", ["1,,2,", "1 2,", "1e,", "--1,", "0,-,"])
 def test_what_is_no_number_is_refused(text: str) -> None:
     """Also where a number stands before it."""
     with pytest.raises(ValueError):  # noqa: PT011  what it says is not shown

@@ -53,7 +53,7 @@ def test_what_is_written_for_a_program_is_read_back(style: str, word: str) -> No
     assert parse(write(expr, style), scope) == expr
 
 
-@pytest.mark.parametrize("name", ["elbow-joint", "a b", "1a", "a+b", "", "a.b", "_a", "a1;"])
+@row_by_row("name", ["elbow-joint", "a b", "1a", "a+b", "", "a.b", "_a", "a1;"])
 def test_a_robot_refuses_names_that_are_none(name: str) -> None:
     """In words, from Python as from a file."""
     robot = load_robot("planar-2r")
@@ -63,7 +63,7 @@ def test_a_robot_refuses_names_that_are_none(name: str) -> None:
     assert not is_name(name)
 
 
-@pytest.mark.parametrize("name", ["theta1", "θ_1", "\\theta_{1}", "l_x", "alpha_{i-1}", "shoulder", "d3", "a12"])
+@row_by_row("name", ["theta1", "θ_1", "\\theta_{1}", "l_x", "alpha_{i-1}", "shoulder", "d3", "a12"])
 def test_names_of_formulas_are_names(name: str) -> None:
     """With indices of every kind."""
     assert is_name(name)

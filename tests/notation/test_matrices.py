@@ -119,7 +119,7 @@ def test_a_cell_knows_its_text_and_its_place() -> None:
     ]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "message"),
     [
         ("", "matrix:1: no matrix is written here (write [1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1])"),

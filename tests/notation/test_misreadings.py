@@ -117,7 +117,7 @@ def test_an_angle_of_thousands_of_turns_is_refused(text: str) -> None:
         to_angle(parse(text))
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "read"),
     [
         ("c(sin(θ2+θ3)*s4)", "c*s23*s4"),

@@ -15,11 +15,12 @@ from dhcli.notation.products import parse_factors
 from dhcli.notation.quantity import to_angle
 from dhcli.notation.quarters import Slight, right_angle_of, with_right_angles
 from dhcli.notation.writer import write_angle
+from tests.row_by_row import row_by_row
 
 PI = Decimal("3.14159265358979323846264338327950288")
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "degrees"),
     [
         ("1.5708 rad", "90°"),
@@ -42,7 +43,7 @@ def test_a_right_angle_in_decimals_is_taken_exactly_and_said(text: str, degrees:
     assert "which it is to its digits" in remarks[0]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "text",
     [
         "1.5 rad",

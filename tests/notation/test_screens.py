@@ -71,7 +71,7 @@ def test_a_matrix_is_read_whatever_a_paper_sets_around_it(text: str) -> None:
     assert matrix(text) == [["c12", "-s12"], ["s12", "c12"]]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "cells"),
     [
         (r"\frac{1}{\sqrt{2}}\begin{bmatrix} 1 & -1 \\ 1 & 1 \end{bmatrix}", ["sqrt(2)/2", "-sqrt(2)/2"]),

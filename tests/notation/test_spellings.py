@@ -40,7 +40,8 @@ ROBOT = Scope(
         ("d_f", "d_f"), ("d_{f}", "d_f"), ("α", "alpha"), ("\\alpha_{i-1}", "alpha_{i-1}"), ("α_{i-1}", "alpha_{i-1}"),
         # cosines and sines
         ("cos(theta1)", "c1"), ("cos θ1", "c1"), ("cosθ1", "c1"), ("\\cos\\theta_1", "c1"), ("Cos(q1)", "c1"),
-        ("np.cos(theta1)", "c1"), ("a1.c1", "a1*c1"), ("-a1.s12.c3", "-a1*s12*c3"), ("(a1+a2).c1", "c1*(a1 + a2)"),
+        ("np.cos(theta1)", "c1"), ("a1a2sin θ2", "a1*a2*s2"), ("a1sin 30°", "a1/2"), ("a1sqrt 3", "sqrt(3)*a1"),
+        ("a1.c1", "a1*c1"), ("-a1.s12.c3", "-a1*s12*c3"), ("(a1+a2).c1", "c1*(a1 + a2)"),
         ("minus 2", "-2"), ("a1 minus a2", "a1 - a2"),
         ("\\cos\\left(\\theta_1\\right)", "c1"), ("cos(theta1+theta2)", "c12"),
         ("cos(theta2 + theta1)", "c12"), ("sin^2 θ1", "s1^2"), ("sin²(θ1)", "s1^2"), ("\\sin^2\\theta_1", "s1^2"),
@@ -164,7 +165,7 @@ def test_an_angle_called_like_a_length_is_known_by_its_list() -> None:
     assert write(parse("c(phi) + c(x) + c x", names), "full") == "cos(phi) + 2*c*x"
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "message"),
     [
         ("c12", "c12 could be cos(theta12) or cos(theta1+theta2)"),

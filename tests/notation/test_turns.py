@@ -15,6 +15,7 @@ from dhcli.geometry.euler import AXES, euler
 from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import read_chain
+from tests.row_by_row import row_by_row
 
 degrees = st.integers(-179, 179)
 whole = st.integers(-9, 9)
@@ -93,7 +94,7 @@ def test_an_inverse_turns_everything_round(text: str, plain: str) -> None:
     assert read_chain(text) == read_chain(plain)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "message"),
     [
         ("Rot([0, 0, 0], 10°)", "an axis of length zero has no direction"),

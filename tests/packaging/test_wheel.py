@@ -141,10 +141,15 @@ def test_the_metadata_name_the_extras_the_licence_and_the_readme(wheel: Path) ->
     assert set(metadata.get_all("Provides-Extra", [])) >= {"arrays", "dev", "draw", "fast", "test"}
 
 
-def test_the_installed_package_is_the_one_that_runs(installed: Path, tmp_path: Path) -> None:
-    """Else the tests below would try the checkout."""
-    place = _run(sys.executable, "-c", "import dhcli; print(dhcli.__file__)", cwd=tmp_path, PYTHONPATH=str(installed))
-    assert Path(place.strip()).resolve().is_relative_to(installed.resolve())
+def test_the_installed_package_is_the_one_that_runs_and_has_every_robot(installed: Path, tmp_path: Path) -> None:
+    """Else the tests below would try the checkout; all of the checkout's robots are found, each by its name."""
+    program = "import dhcli; from dhcli.files.library.lookup import Kind, entries\n"
+    program += "print(dhcli.__file__, *(entry.name for entry in entries(Kind.ROBOTS)))"
+    place, *names = _run(sys.executable, "-c", program, cwd=tmp_path, PYTHONPATH=str(installed)).split()
+    assert Path(place).resolve().is_relative_to(installed.resolve())
+    robots = {path.stem for path in (_ROOT / "robots").glob("*.yaml")}
+    assert robots
+    assert set(names) == robots
 
 
 def test_the_installed_dhcli_computes_a_pose(dhcli: Callable[..., str]) -> None:
@@ -152,14 +157,6 @@ def test_the_installed_dhcli_computes_a_pose(dhcli: Callable[..., str]) -> None:
     printed = dhcli("fk", "scara", "--q", "0.3,0.5,0.1")
     assert f"{-0.3 * sin(0.3) - 0.2 * sin(0.3 + 0.5):.4f}" in printed
     assert f"{0.3 * cos(0.3) + 0.2 * cos(0.3 + 0.5):.4f}" in printed
-
-
-def test_the_installed_dhcli_lists_every_robot(dhcli: Callable[..., str]) -> None:
-    """All of the checkout's, each by its name."""
-    words = dhcli("list", "robots").split()
-    robots = {path.stem for path in (_ROOT / "robots").glob("*.yaml")}
-    assert robots
-    assert robots <= set(words)
 
 
 def test_the_console_script_runs_the_installed_dhcli(installed: Path, wheel: Path, tmp_path: Path) -> None:

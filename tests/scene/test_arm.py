@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from dhcli import forward, load_robot
 from dhcli.files.yaml.robots import read_robot
-from dhcli.geometry.vectors import Vector, cross, dot
+from dhcli.geometry.vectors import Vector, cross, dot, length, minus
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import joint_values
@@ -22,7 +22,6 @@ from dhcli.scene.drawing import Drawing
 from dhcli.scene.primitives import Box, Drum, Scene
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.staging import ArmAt
-from dhcli.scene.vectors import norm, sub
 from tests.row_by_row import row_by_row
 from tests.scene.examples import ROBOTS
 
@@ -44,7 +43,7 @@ def _scene(name: str) -> Scene:
 
 
 def _is_on(point: Vector, start: Vector, direction: Vector) -> bool:
-    return norm(cross(sub(point, start), direction)) < 1e-9
+    return length(cross(minus(point, start), direction)) < 1e-9
 
 
 @pytest.mark.parametrize("name", REAL)
@@ -76,7 +75,7 @@ def test_dimensions_stand_where_the_convention_has_them(name: str) -> None:
         held = [d for d in scene.dimensions if first <= d.start.state < state[str(link.number)]]
         for dimension in held:
             start, end = scene.point(dimension.start), scene.point(dimension.end)
-            if norm(sub(end, start)) == 0:
+            if length(minus(end, start)) == 0:
                 continue
             letter = dimension.words[-2].text if dimension.words[-1].below else dimension.words[-1].text
             along_z = (link.row is not None and letter[-1] == "d") or _is_on(end, start, before.z)

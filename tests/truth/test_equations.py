@@ -203,7 +203,7 @@ def test_every_robot_of_the_documents_is_compared_with_them() -> None:
     assert files == found | NOT_IN_DOCUMENTS
 
 
-@pytest.mark.parametrize("name", ["Y27", "Y32", "Y39", "Y48", "Z14", "Z22", "Z28", "Z48", "Z49", "W04"])
+@row_by_row("name", ["Y27", "Y32", "Y39", "Y48", "Z14", "Z22", "Z28", "Z48", "Z49", "W04"])
 def test_the_table_of_the_robot_is_the_printed_one(name: str) -> None:
     """Every cell, the convention, and which joint is of which kind."""
     files = {

@@ -66,7 +66,7 @@ def test_all_27_misprints_are_covered() -> None:
     assert set(MISPRINTS) == IN_CELLS | IN_LINES | IN_WORDS
 
 
-@pytest.mark.parametrize("n", sorted(IN_CELLS))
+@row_by_row("n", sorted(IN_CELLS))
 def test_a_printed_cell_is_not_what_comes_out(n: int) -> None:
     """In every print of the matrix; the right cell is what comes out."""
     found = list(printed_cells(n))

@@ -23,6 +23,7 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ONE, ZERO, Expr, Symbol, add, multiply, negate, number
 from dhcli.notation.trig import cosine, sine
 from dhcli.notation.walk import substitute, symbols
+from tests.row_by_row import row_by_row
 from tests.truth.items import EQUATIONS, TRUTH, Matrix, chain, computed, matrix
 
 A, ALPHA, D, THETA = Symbol("a"), Angle.of("alpha"), Symbol("d"), Angle.of("theta")
@@ -158,7 +159,7 @@ def test_the_printed_wrist_spoils_the_product_in_two_entries() -> None:
     assert differing == {(1, 2), (2, 2)}
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("name", "pattern"),
     [
         ("cartesian", "PPP"),

@@ -108,7 +108,7 @@ def test_the_pose_of_a_robot_has_at_most_so_many_operations(robot: str, most: in
     assert count(symbolic(load_robot(robot)).rows) <= most
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("robot", "cell", "text"),
     [
         ("planar-2r", (0, 3), "a1*c1 + a2*c12"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Generic, TypeVar
 
 from dhcli.checking.diagnosis.result import Rank, Slip
@@ -37,11 +38,17 @@ class Mistake(Generic[M]):
     of_values: bool = False
     alone: bool = False
 
-    def slip(self, where: str, **others: object) -> Slip:
+    def slip(self, where: str, **others: int) -> Slip:
         """The mistake in its place; the others are what its words say besides."""
-        entry, _, term = where.partition(" ")
-        place = {"where": where, "row": entry.split(",")[0].split(".")[0], "entry": entry, "term": term, **others}
-        return Slip(f"{self.id} {where}".strip(), self.words.format(**place), self.hint.format(**place), self.rank)
+        return _slip(self.id, self.words, self.hint, self.rank, where, **others)
+
+
+@lru_cache(4096)
+def _slip(name: str, words: str, hint: str, rank: Rank, where: str, **others: int) -> Slip:
+    """Made once: of two mistakes at once, each is made with each."""
+    entry, _, term = where.partition(" ")
+    place = {"where": where, "row": entry.split(",")[0].split(".")[0], "entry": entry, "term": term, **others}
+    return Slip(f"{name} {where}".strip(), words.format(**place), hint.format(**place), rank)
 
 
 class Catalogue(list[Mistake[M]]):

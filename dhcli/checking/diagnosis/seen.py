@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left, bisect_right
+from operator import mul
 
 from dhcli.checking.diagnosis.work import Matrix
 
 SAME = 1e-9
 """Relative difference up to which two entries are the same."""
+
+_WEIGHTS = tuple(math.sqrt(k + 2) for k in range(64))
+"""What the entries count in the number of a matrix: those that have changed places have another sum."""
 
 
 class Seen:
@@ -21,11 +25,9 @@ class Seen:
 
     def is_new(self, matrix: Matrix[float]) -> bool:
         """Whether it is none that was seen before; from now on it was."""
-        total = width = 0.0
-        for k, entry in enumerate(entry for row in matrix for entry in row):
-            weight = math.sqrt(k + 2)  # entries that have changed places have another sum
-            total += weight * entry
-            width += 2 * SAME * weight * (1 + abs(entry))
+        entries = [entry for row in matrix for entry in row]
+        total = sum(map(mul, _WEIGHTS, entries))
+        width = 2 * SAME * (sum(_WEIGHTS[: len(entries)]) + sum(map(mul, _WEIGHTS, map(abs, entries))))
         if not math.isfinite(total):
             return True  # not even the same as itself
         first, last = bisect_left(self._sums, total - width), bisect_right(self._sums, total + width)

@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Self
 from dhcli.checking.diagnosis.alternatives import Alternative, AlternativesQuestion
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise
-from dhcli.checking.kinds.linked import link_of, read_number
+from dhcli.checking.kinds.linked import link_of, needed, read_number
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.values import Quantity, TypedValue, is_right_value, mark_value, read_typed_value, spelled_value
@@ -49,8 +49,8 @@ class CellQuestion(AlternativesQuestion[TypedValue]):
         return cls(column, read_number(link, place))
 
     def check(self, robot: Robot | None) -> None:
-        if link_of(robot, self.link).row is None and robot is not None:
-            raise RobotError(f"{robot.name} is given as products and has no table")
+        if link_of(robot, self.link).row is None:
+            raise RobotError(f"{needed(robot).name} is given as products and has no table")
 
     def describe(self, _exercise: Exercise) -> str:
         return f"{self.column} of link {self.link}"
@@ -63,8 +63,8 @@ class CellQuestion(AlternativesQuestion[TypedValue]):
     def steps(self, case: Case) -> Iterable[Shown]:
         from dhcli.checking.tables.steps import MEANINGS, cell_lines
 
-        robot = case.exercise.robot
-        if robot is not None and robot.convention in MEANINGS:
+        robot = needed(case.exercise.robot)
+        if robot.convention in MEANINGS:
             yield Shown(f"What is measured is {MEANINGS[robot.convention][COLUMNS.index(self.column)]}")
             yield from cell_lines(robot, self.column, int(self.link), case.exercise)
 
@@ -94,10 +94,7 @@ class CellQuestion(AlternativesQuestion[TypedValue]):
         from dhcli.checking.diagnosis.mistakes.changes import scale_of
         from dhcli.checking.diagnosis.slips import setting_of, table_candidates, table_slips
 
-        robot = case.exercise.robot
-        if robot is None:
-            return
-
+        robot = needed(case.exercise.robot)
         index = place_of(robot, self.link)
         right = robot.links[index].row
 
@@ -128,15 +125,15 @@ class CellQuestion(AlternativesQuestion[TypedValue]):
             yield from asked(slip, replace(right, a=a, d=d))
 
     def follows(self, case: Case, reading: Reading[TypedValue], earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
-        robot = case.exercise.robot
+        place = place_of(needed(case.exercise.robot), self.link)
         for other in case.exercise.before(case.part):
-            if robot is None or other.id not in earlier:
+            if other.id not in earlier:
                 continue
             try:
                 rows = other.question.rows(Case(other, case.memo), earlier[other.id])
                 if not rows:
                     continue
-                value = getattr(rows[place_of(robot, self.link)], self.column)
+                value = getattr(rows[place], self.column)
                 if self._mark(case, value, reading.value).verdict is Verdict.RIGHT:
                     return (other.id,)
             except (UnreadableError, DhcliError):

@@ -88,17 +88,19 @@ class CountQuestion(AlternativesQuestion[int]):
     def _counted(self) -> int:
         from dhcli.mobility.slips import count
 
+        return count(self.what, self._known)
+
+    @property
+    def _known(self) -> Linkage | Counts:
         if self.found is None:
             raise DhcliError(f"the linkage {self.linkage} was not looked up", "load the exercise from its file")
-        return count(self.what, self.found)
+        return self.found
 
     def steps(self, _case: Case) -> Iterable[Shown]:
         from dhcli.mobility.counting import Counts
 
-        if self.found is None:
-            return
-        is_linkage = not isinstance(self.found, Counts)
-        counts = self.found if isinstance(self.found, Counts) else Counts.of(self.found)
+        is_linkage = not isinstance(self._known, Counts)
+        counts = self._known if isinstance(self._known, Counts) else Counts.of(self._known)
         counted = f"n = {counts.n} links with the ground, j = {counts.j} joints"
         yield Shown(f"{counted}, Σf = {counts.sum_f}, ΣC = {counts.sum_c}, λ = {counts.space.lambda_}")
         if self.what in ("mobility", "gruebler"):
@@ -133,10 +135,8 @@ class CountQuestion(AlternativesQuestion[int]):
     def _miscounted(self) -> tuple[tuple[Slip, int], ...]:
         from dhcli.mobility.slips import slips
 
-        if self.found is None:
-            return ()
         try:
-            found = slips(self.what, self.found)
+            found = slips(self.what, self._known)
         except DhcliError:
             return ()
         hint = "go through what was counted: links with the ground, joints, and the freedoms of each"

@@ -10,7 +10,7 @@ from typing import ClassVar, Self
 from dhcli.checking.diagnosis.alternatives import Alternative, AlternativesQuestion
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise
-from dhcli.checking.kinds.linked import link_of, read_number
+from dhcli.checking.kinds.linked import link_of, needed, read_number
 from dhcli.checking.pasted import without_label
 from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance
@@ -44,6 +44,7 @@ class FactorsQuestion(AlternativesQuestion[Chain]):
     words: ClassVar = ("factors",)
     examples: ClassVar = ("factors 2",)
     is_in_table: ClassVar = True
+    has_cosines: ClassVar = True
 
     @classmethod
     def asked(cls, text: str, _scope: Scope, place: Place | None) -> Self:
@@ -56,16 +57,11 @@ class FactorsQuestion(AlternativesQuestion[Chain]):
     def describe(self, _exercise: Exercise) -> str:
         return f"the elementary moves of link {self.link}, in order"
 
-    @property
-    def has_cosines(self) -> bool:
-        return True
-
     def expected(self, case: Case, _style: str = "short") -> str:
         return _spelled(link_of(case.exercise.robot, self.link).moves, case.exercise)
 
     def steps(self, case: Case) -> Iterable[Shown]:
-        if case.exercise.robot is not None:
-            yield Shown(ORDER[case.exercise.robot.convention])
+        yield Shown(ORDER[needed(case.exercise.robot).convention])
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Chain:
         exercise = case.exercise
@@ -80,9 +76,7 @@ class FactorsQuestion(AlternativesQuestion[Chain]):
         from dhcli.checking.diagnosis.slips import candidates, setting_of
         from dhcli.checking.diagnosis.work import Factor, Level, Multiplied, Work
 
-        exercise, robot = case.exercise, case.exercise.robot
-        if robot is None:
-            return
+        exercise, robot = case.exercise, needed(case.exercise.robot)
         index = place_of(robot, self.link)
         link = robot.links[index]
 

@@ -57,6 +57,7 @@ class FramesQuestion(Question[Answer]):
     is_in_table: ClassVar = True
     is_overlaid: ClassVar = True
     earns_by_row: ClassVar = True
+    in_rows: ClassVar = True
 
     @classmethod
     def asked(cls, text: str, _scope: Scope, place: Place | None) -> Self:
@@ -90,10 +91,6 @@ class FramesQuestion(Question[Answer]):
 
     def pose_drawn(self, exercise: Exercise) -> Values:
         return sketch_of(exercise, self.convention, self.pose).joint_values
-
-    @property
-    def in_rows(self) -> bool:
-        return True
 
     def is_whole(self, text: str) -> bool:
         *_, last = text.strip().splitlines() or [""]

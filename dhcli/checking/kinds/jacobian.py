@@ -13,6 +13,8 @@ from dhcli.checking.motion.asked import Motion, form_of, read_motion
 from dhcli.checking.motion.columns import Columns, columns_of, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion, Typed, axes_step
 from dhcli.checking.motion.grid import Grid
+from dhcli.checking.motion.in_entries import column_signs
+from dhcli.checking.motion.question import MotionQuestion
 from dhcli.checking.motion.reading import unit_of_rates
 from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.verdicts import Mark
@@ -24,7 +26,7 @@ from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
 from dhcli.kinematics.velocity.jacobian import textbook_jacobian
-from dhcli.kinematics.velocity.view import MotionView, joints_between
+from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.scope import Scope
 from dhcli.regex import regex
 
@@ -76,15 +78,14 @@ class JacobianQuestion(ColumnsQuestion):
 
     def check(self, robot: Robot | None) -> None:
         robot, view = self.motion.check(robot, self.twist)
-        columns, rows = len(joints_between(robot, view.start, view.end)), len(self.form.labels)
+        columns, rows = len(self.motion.joints(robot)), len(self.form.labels)
         if self.row > rows or self.column > columns:
             raise RobotError(f"this Jacobian has {plural(rows, 'row')} and {plural(columns, 'column')}")
         if self.form.analytic and view.axes != view.start:
             raise RobotError("rates of angles are asked along no other axes", "leave in frame out")
 
     def size(self, robot: Robot) -> tuple[int, int]:
-        view = self.motion.view(robot, self.twist)
-        columns = len(joints_between(robot, view.start, view.end))
+        columns = len(self.motion.joints(robot))
         return 1 if self.row else len(self.form.labels), 1 if self.column else columns
 
     def describe(self, exercise: Exercise) -> str:
@@ -152,8 +153,12 @@ class JacobianQuestion(ColumnsQuestion):
         if self.column:
             yield from self._neighbours(self._grid(case, columns))
 
+    def every(self, case: Case, right: Grid) -> Iterator[tuple[Slip, Grid]]:
+        yield from ColumnsQuestion.every(self, case, right)
+        yield from column_signs(right)
+
     def place(self, row: int, column: int) -> str:
-        return f"{self.row or row + 1},{self.column or column + 1}"
+        return f"{self.row},{self.column}" if self.row else MotionQuestion.place(self, row, column)
 
     def _neighbours(self, grid: Grid) -> Iterator[tuple[Slip, Grid]]:
         """Another column than that asked for."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from typing import ClassVar, Self
 
@@ -61,6 +61,8 @@ class JointFormulaQuestion(Question[Formula]):
 
     words: ClassVar = ("angle", "joint")
     examples: ClassVar = ("angle theta2 of position", "angle theta3 of pose", "joint d3 of pose")
+    needs_table: ClassVar = True
+    has_cosines: ClassVar = True
 
     @classmethod
     def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
@@ -82,14 +84,6 @@ class JointFormulaQuestion(Question[Formula]):
         for name in self.joints:
             if name not in moving:
                 raise UnknownNameError(f"{name} is no joint between these frames", ", ".join(moving))
-
-    @property
-    def needs_table(self) -> bool:
-        return True
-
-    @property
-    def has_cosines(self) -> bool:
-        return True
 
     def describe(self, exercise: Exercise) -> str:
         start, end = self.target.ends(exercise.robot)
@@ -156,10 +150,10 @@ class JointFormulaQuestion(Question[Formula]):
         return next((text for slip, text, _ in self._showing(case) if slip.name == name), None)
 
     def causes(self, case: Case, reading: Reading[Formula]) -> Causes:
-        cases = self._cases(case)
-        typed = [reading.value.at(one.known) for one in cases]
+        outcome = covering.tried(reading.value, self._cases(case), self._asked, self._derivation(case).robot)
+        typed = outcome.values
         found = tuple((slip,) for slip, _, values in self._showing(case) if self._agree(typed, values))
-        if not found and not any(covering.tried(reading.value, cases, self._asked, self._derivation(case).robot).hits):
+        if not found and not any(outcome.hits):
             # a slip, and of its values not all: `atan2(px, py)` where two angles are asked for
             found = tuple((slip,) for slip, _, values in self._showing(case) if self._agree(typed, values, partly=True))
         return found or self._in_terms(case, reading.value)
@@ -223,11 +217,11 @@ class JointFormulaQuestion(Question[Formula]):
 
         return case.memo.of(("points", self.joints, self.target), drawn)
 
-    def _showing(self, case: Case) -> tuple[tuple[Slip, str, list[list[float]]], ...]:
+    def _showing(self, case: Case) -> tuple[tuple[Slip, str, Sequence[list[float]]], ...]:
         """Every slip whose formula is wrong, with that formula and its values."""
         return case.memo.of(("formula slips", self.joints, self.target), lambda: tuple(self._found(case)))
 
-    def _found(self, case: Case) -> Iterator[tuple[Slip, str, list[list[float]]]]:
+    def _found(self, case: Case) -> Iterator[tuple[Slip, str, Sequence[list[float]]]]:
         derivation = self._derivation(case)
         right, seen = typed_text(derivation, self.joints), set[str]()
         for one in slipped(derivation, derivation.robot):
@@ -235,12 +229,12 @@ class JointFormulaQuestion(Question[Formula]):
             if text == right or one.slip.name in seen:
                 continue
             formula = Formula(values_of(formula_of(one.derivation, self.joints)), text, 0)
-            if covering.tried(formula, self._cases(case), self._asked, derivation.robot).is_right:
-                continue
-            seen.add(one.slip.name)
-            yield one.slip, text, [formula.at(each.known) for each in self._cases(case)]
+            outcome = covering.tried(formula, self._cases(case), self._asked, derivation.robot)
+            if not outcome.is_right:
+                seen.add(one.slip.name)
+                yield one.slip, text, outcome.values
 
-    def _agree(self, typed: list[list[float]], values: list[list[float]], *, partly: bool = False) -> bool:
+    def _agree(self, typed: Sequence[list[float]], values: Sequence[list[float]], *, partly: bool = False) -> bool:
         """Whether two formulas have the same values everywhere; for `partly`, the first some of those of the second."""
 
         def within(first: list[float], second: list[float]) -> bool:

@@ -46,6 +46,7 @@ class JointsQuestion(WantedJoints):
         "joints of position (0.4, 0, 0.3) pointing (0, 0, -1)",
     )
     is_plain: ClassVar = True
+    in_rows: ClassVar = True
 
     @classmethod
     def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
@@ -58,10 +59,6 @@ class JointsQuestion(WantedJoints):
         words = tuple(word.strip() for word in (match["branch"] or "").split(",") if word.strip())
         which = "all" if match["all"] else "branch" if words else "any"
         return cls(target, which, words, bool(match["limits"]))
-
-    @property
-    def in_rows(self) -> bool:
-        return True
 
     def describe(self, exercise: Exercise) -> str:
         which = {"all": "every solution, a row each", "any": "one solution"}.get(self.which)

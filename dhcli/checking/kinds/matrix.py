@@ -47,6 +47,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         "point (1, 2, 3) of pose 0..3",
         "vector (1, 0, 0) of pose 0..3",
     )
+    has_cosines: ClassVar = True
 
     @classmethod
     def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
@@ -101,10 +102,6 @@ class MatrixQuestion(Wanted, Question[Entries]):
     @property
     def in_rows(self) -> bool:
         return self.shape[1] > 1
-
-    @property
-    def has_cosines(self) -> bool:
-        return True
 
     def is_length(self, row: int, column: int) -> bool:
         return is_length(self, row, column)

@@ -22,7 +22,6 @@ from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.finding import neat_determinant
 from dhcli.kinematics.velocity.cramer import LARGEST, solved
 from dhcli.kinematics.velocity.form import Form, Which, part_of
-from dhcli.kinematics.velocity.view import joints_between
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, multiply, number, power
 from dhcli.notation.walk import symbols_in
@@ -66,7 +65,7 @@ class RatesQuestion(ColumnsQuestion):
 
     def check(self, robot: Robot | None) -> None:
         robot, view = self.motion.check(robot)
-        kept, joints = self._kept(columns_of(robot, view)), joints_between(robot, view.start, view.end)
+        kept, joints = self._kept(columns_of(robot, view)), self.motion.joints(robot)
         if len(kept) != len(joints):
             raise RobotError(
                 f"{len(joints)} joints cannot make every velocity of {len(kept)} numbers, or in more than one way",
@@ -85,8 +84,7 @@ class RatesQuestion(ColumnsQuestion):
         return [six[k] for k in kept]
 
     def size(self, robot: Robot) -> tuple[int, int]:
-        view = self.motion.view(robot)
-        return len(joints_between(robot, view.start, view.end)), 1
+        return len(self.motion.joints(robot)), 1
 
     @property
     def names(self) -> frozenset[str]:

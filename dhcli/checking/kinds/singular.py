@@ -35,20 +35,14 @@ class SingularQuestion(JacobianTask, Question[Conditions]):
     opening: ClassVar = "singular when"
     words: ClassVar = ("singular",)
     examples: ClassVar = ("singular when linear of 0..3", "singular when 0..6")
+    needs_table: ClassVar = True
+    has_cosines: ClassVar = True
 
     def check(self, robot: Robot | None) -> None:
         self._found(robot)
 
     def _found(self, robot: Robot | None) -> Singularities:
         return listed(*self.motion.check(robot), self.form)
-
-    @property
-    def needs_table(self) -> bool:
-        return True
-
-    @property
-    def has_cosines(self) -> bool:
-        return True
 
     def describe(self, exercise: Exercise) -> str:
         found = self._found(exercise.robot)
@@ -145,6 +139,7 @@ class SingularQuestion(JacobianTask, Question[Conditions]):
         right = self._right(case)
         for k, condition in enumerate(right):
             text, others = self._text(case, [condition]), (*right[:k], *right[k + 1 :])
+            in_order = sorted(condition, key=self._order(case))
             name = text.replace(" = 0", "")
             if others:
                 hint = "go through the factors of the determinant" if len(condition) == 1 else "go through the cases"
@@ -152,8 +147,8 @@ class SingularQuestion(JacobianTask, Question[Conditions]):
             if len(condition) > 1:
                 words = f"{text} belong together: the rank falls only where all of them are zero"
                 slip = Slip(f"apart {name}", words, "is one of them alone enough?")
-                yield slip, (*others, *(frozenset({zero}) for zero in condition))
-            for zero in sorted(condition, key=self._order(case)):
+                yield slip, (*others, *(frozenset({zero}) for zero in in_order))
+            for zero in in_order:
                 yield from self._in_angle(case, zero, condition - {zero}, others)
 
     def _in_angle(

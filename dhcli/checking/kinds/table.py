@@ -67,13 +67,13 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         return f"the {self.convention.value} DH table"
 
     def blank(self, exercise: Exercise) -> tuple[int, int]:
-        return (len(exercise.robot.links), len(COLUMNS)) if exercise.robot is not None else (1, 1)
+        return len(needed(exercise.robot).links), len(COLUMNS)
 
     def notes(self, exercise: Exercise) -> Iterable[str]:
-        if exercise.robot is not None:
-            yield "columns: " + "  ".join(exercise.robot.columns) + "; angles in degrees"
-            if exercise.numeric and exercise.robot.variables:
-                yield f"in the cell that a joint changes stands its variable: {', '.join(exercise.robot.variables)}"
+        robot = needed(exercise.robot)
+        yield "columns: " + "  ".join(robot.columns) + "; angles in degrees"
+        if exercise.numeric and robot.variables:
+            yield f"in the cell that a joint changes stands its variable: {', '.join(robot.variables)}"
 
     def is_whole(self, text: str) -> bool:
         *_, last = text.strip().splitlines() or [""]
@@ -89,12 +89,12 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         from dhcli.checking.tables.answer import own_rows
         from dhcli.checking.tables.steps import MEANINGS, process_lines, table_lines
 
-        exercise = case.exercise
-        for robot in (exercise.robot, exercise.also and exercise.also[0]):
-            if robot is not None and exercise.robot is not None and robot.convention is self.convention:
+        exercise, own = case.exercise, needed(case.exercise.robot)
+        for robot in (own, exercise.also and exercise.also[0]):
+            if robot is not None and robot.convention is self.convention:
                 yield from process_lines(robot, exercise)
                 yield Shown("4  Each row leads from one frame to the next:\n" + "\n".join(MEANINGS[self.convention]))
-                lines = table_lines(own_rows(robot), exercise.robot.columns, robot.first, exercise)
+                lines = table_lines(own_rows(robot), own.columns, robot.first, exercise)
                 yield Shown("Row by row:\n" + "\n".join(lines))
                 return
 
@@ -141,9 +141,9 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         from dhcli.checking.diagnosis.slips import table_candidates
         from dhcli.checking.tables.cells import dh_table_text, on_sheet
 
-        robot = case.exercise.robot
-        for one in table_candidates(case.exercise, self.convention, name) if robot is not None else ():
-            if one.slips[0].name == name and robot is not None:
+        robot = needed(case.exercise.robot)
+        for one in table_candidates(case.exercise, self.convention, name):
+            if one.slips[0].name == name:
                 rows = tuple(step.row for step in one.work.steps if step.row is not None)
                 return dh_table_text(on_sheet(rows, case.exercise), robot.columns, case.exercise.writing)
         return None
@@ -167,8 +167,8 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
     def is_plausible(self, case: Case, judged: Judged[tuple[TypedRow, ...]]) -> bool:
         from dhcli.checking.diagnosis.plausible import has_right_joints
 
-        robot = case.exercise.robot
-        if robot is None or judged.reading is None:
+        robot = needed(case.exercise.robot)
+        if judged.reading is None:
             return False
         right = [link.row for link in robot.links if link.row is not None]
         return has_right_joints(_settled(case, judged.reading), right, robot.variables)

@@ -21,7 +21,6 @@ from dhcli.kinematics.frames import ORIGIN
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.cramer import LARGEST, solved
 from dhcli.kinematics.velocity.form import GEOMETRIC
-from dhcli.kinematics.velocity.view import joints_between
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, multiply, negate, number
 from dhcli.notation.walk import symbols_in
@@ -64,8 +63,7 @@ class TorquesQuestion(ColumnsQuestion):
         self.motion.check(robot)
 
     def size(self, robot: Robot) -> tuple[int, int]:
-        view = self.motion.view(robot)
-        return len(joints_between(robot, view.start, view.end)), 1
+        return len(self.motion.joints(robot)), 1
 
     @property
     def names(self) -> frozenset[str]:

@@ -20,7 +20,7 @@ from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.velocity.view import check_rates, joints_between
+from dhcli.kinematics.velocity.view import check_rates
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, Symbol, multiply, number, power
 from dhcli.notation.walk import symbols_in
@@ -61,8 +61,7 @@ class VelocityQuestion(ColumnsQuestion):
         return cls(motion, bool(match["angular"]))
 
     def check(self, robot: Robot | None) -> None:
-        robot, view = self.motion.check(robot)
-        joints = joints_between(robot, view.start, view.end)
+        joints = self.motion.joints(robot)
         if self.motion.rates is not None:
             check_rates(self.motion.rates, joints)
 
@@ -76,8 +75,7 @@ class VelocityQuestion(ColumnsQuestion):
     def rates(self, robot: Robot | None) -> frozenset[str]:
         if self.motion.rates is not None:
             return frozenset()
-        robot, view = self.motion.check(robot)
-        return frozenset(map(_rate, joints_between(robot, view.start, view.end)))
+        return frozenset(map(_rate, self.motion.joints(robot)))
 
     def describe(self, exercise: Exercise) -> str:
         what = "the angular velocity [rad/s]" if self.angular else f"the velocity [{exercise.unit}/s]"

@@ -73,6 +73,11 @@ class Motion:
         """The robot, which must be there, and its view."""
         return needed(robot), self.view(needed(robot), form)
 
+    def joints(self, robot: Robot | None) -> tuple[str, ...]:
+        """The joints between its frames, of a robot that must be there."""
+        robot, view = self.check(robot)
+        return joints_between(robot, view.start, view.end)
+
     @property
     def where(self) -> str:
         """Of which frame and point, along which axes, in words."""

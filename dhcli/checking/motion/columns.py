@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import TypeAlias
 
-from dhcli.algebra.arithmetic import settled
+from dhcli.algebra.arithmetic import settled, sum_of_products
 from dhcli.algebra.terms import TERMS
 from dhcli.checking.exercise import Case
 from dhcli.checking.motion.asked import Motion
@@ -22,7 +22,6 @@ from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers
 from dhcli.kinematics.velocity.form import Form, Triple
 from dhcli.kinematics.velocity.jacobian import free_name, rates_of, textbook_jacobian
-from dhcli.kinematics.velocity.statics import product
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr, Number, add, multiply, negate, number, power
@@ -151,7 +150,7 @@ def cross(first: Vector, second: Vector) -> Vector:
 def combined(row: Sequence[Expr], column: Sequence[Expr]) -> Expr:
     """A sum of products, in the order of the row."""
     plain = [0 if entry == ZERO else entry for entry in row]
-    total = product(plain, [0 if entry == ZERO else entry for entry in column])
+    total = sum_of_products(plain, [0 if entry == ZERO else entry for entry in column])
     return number(total) if isinstance(total, int) else total
 
 

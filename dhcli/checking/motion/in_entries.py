@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import combinations
@@ -21,6 +21,9 @@ from dhcli.notation.tree import ZERO, Expr, negate
 MOST_TOLD = 4
 """Entries that are told one by one; of more, it is told how many."""
 
+HALF = 3
+"""Rows of v, and of ω."""
+
 AtPoints: TypeAlias = Callable[[Grid], tuple[Numbers, ...]]
 """The entries of a grid at a few general points."""
 
@@ -35,8 +38,31 @@ def signs(right: Grid, placed: Placed) -> Iterator[tuple[Slip, Grid]]:
             if entry != ZERO and right.shape != (1, 1):
                 words = f"the sign of entry ({placed(r, c)}) is turned round"
                 slip = Slip(f"entry-sign {placed(r, c)}", words, f"look at the signs in row {r + 1}", Rank.SYMPTOM)
-                changed = (*row[:c], negate(entry), *row[c + 1 :])
-                yield slip, replace(right, rows=(*right.rows[:r], changed, *right.rows[r + 1 :]))
+                yield slip, replace(right, rows=(*right.rows[:r], _negated(row, c), *right.rows[r + 1 :]))
+
+
+def column_signs(right: Grid) -> Iterator[tuple[Slip, Grid]]:
+    """Each column with the other sign, and of one with v and ω each half of it alone."""
+    rows, width = right.shape
+    halves = [range(rows)] if rows <= HALF else [range(rows), range(HALF), range(HALF, rows)]
+    for c in range(width):
+        for half in halves:
+            if sum(right.rows[r][c] != ZERO for r in half) < 2:  # noqa: PLR2004  one is a sign of its own
+                continue
+            column = f"column {c + 1}" if width > 1 else "the column"
+            part = "" if len(half) == rows else f"rows {half[0] + 1} to {half[-1] + 1}"
+            words = f"{part} of {column} have the opposite sign" if part else f"{column} has the opposite sign"
+            name = f"column-sign {c + 1} {part}".strip()
+            slip = Slip(name, words, "which way does the axis of each joint point?", Rank.SYMPTOM)
+            yield (
+                slip,
+                replace(right, rows=tuple(_negated(row, c) if r in half else row for r, row in enumerate(right.rows))),
+            )
+
+
+def _negated(row: Sequence[Expr], at: int) -> tuple[Expr, ...]:
+    """A row with the other sign of one entry."""
+    return (*row[:at], negate(row[at]), *row[at + 1 :])
 
 
 def sign_causes(right: Grid, given: Grid, at: AtPoints, placed: Placed) -> Causes:

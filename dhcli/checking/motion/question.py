@@ -6,6 +6,7 @@ from abc import abstractmethod
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import ClassVar
 
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.entries import Entries, entries_text, values_of
@@ -51,6 +52,10 @@ class MotionQuestion(Question[Entries]):
 
     motion: Motion
 
+    needs_table: ClassVar = True  # for the axes
+    has_cosines: ClassVar = True
+    in_rows: ClassVar = True
+
     @abstractmethod
     def size(self, robot: Robot) -> tuple[int, int]:
         """Rows and columns of the answer."""
@@ -67,27 +72,12 @@ class MotionQuestion(Question[Entries]):
         """The right answer, computed once."""
         return case.memo.of(("motion", self), lambda: self.computed(case))
 
-    @property
-    def needs_table(self) -> bool:
-        """A student looks at it for the axes."""
-        return True
-
-    @property
-    def has_cosines(self) -> bool:
-        """As every formula of a robot."""
-        return True
-
     def blank(self, exercise: Exercise) -> tuple[int, int]:
         """A blank for each entry; those of a column in one row."""
         if exercise.robot is None:
             return 1, 1
         rows, columns = self.size(exercise.robot)
         return (1, rows) if columns == 1 else (rows, columns)
-
-    @property
-    def in_rows(self) -> bool:
-        """Several entries, as a rule."""
-        return True
 
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
         """Names of the answer without a value; where all that it may hold have one, it is not worked out for that."""
@@ -293,14 +283,11 @@ class OneNumberQuestion(MotionQuestion):
 
     __slots__ = ()
 
+    in_rows: ClassVar = False
+
     def size(self, _robot: Robot) -> tuple[int, int]:
         """One entry."""
         return 1, 1
-
-    @property
-    def in_rows(self) -> bool:
-        """There is but one."""
-        return False
 
     def place(self, _row: int, _column: int) -> str:
         """There is but one."""

@@ -126,12 +126,14 @@ class Outcome:
         strangers: For each whether the formula has a value that solves nothing.
         silent: How many of them it has no real value for.
         wrapped: Whether every value that solves nothing is half a turn from one that does.
+        values: What the formula has there.
     """
 
     hits: tuple[bool, ...]
     strangers: tuple[bool, ...]
     silent: int
     wrapped: bool
+    values: tuple[list[float], ...]
 
     @property
     def is_sound(self) -> bool:
@@ -166,8 +168,8 @@ def tried(formula: Formula, cases: Sequence[Case], asked: Asked, robot: Robot) -
     own = {name for name, _ in asked.terms}
     used = [name for name in robot.variables if name in formula.names and name not in own]
     hits, strangers, silent, wrapped = list[bool](), list[bool](), 0, True
-    for case in cases:
-        values = formula.at(case.known)
+    found = tuple(formula.at(case.known) for case in cases)
+    for case, values in zip(cases, found, strict=True):
         silent += not values
         agreeing = [
             right
@@ -179,7 +181,7 @@ def tried(formula: Formula, cases: Sequence[Case], asked: Asked, robot: Robot) -
         wrong = [value for value in values if not any(asked.same(value, right) for right in known)]
         strangers.append(bool(wrong))
         wrapped &= all(any(asked.same(value + math.pi, right) for right in agreeing) for value in wrong)
-    return Outcome(tuple(hits), tuple(strangers), silent, wrapped)
+    return Outcome(tuple(hits), tuple(strangers), silent, wrapped, found)
 
 
 def where(flags: Sequence[bool], cases: Sequence[Case], asked: Asked, candidates: Iterable[tuple[str, Expr]]) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache, partial
@@ -12,6 +12,7 @@ from dhcli.checking.exercise import Case
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.returned import Shown
 from dhcli.checking.solving.goal import Target, of_robot
+from dhcli.checking.solving.in_step import changed_step, slips_in_step, with_other
 from dhcli.checking.units import ONE as METRE
 from dhcli.checking.units import in_unit
 from dhcli.errors import RobotError
@@ -27,7 +28,7 @@ from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import ONE, ZERO, Call, Expr, Product, Sum, Symbol, add, multiply, negate, power
+from dhcli.notation.tree import ONE, ZERO, Product, Symbol, negate
 from dhcli.notation.walk import put_for, substitute, symbols, walk
 from dhcli.notation.writer import write
 
@@ -111,83 +112,11 @@ def slipped(derivation: Derivation, robot: Robot) -> Iterator[Slipped]:
     """Every derivation with one slip in it."""
     for k, step in enumerate(derivation.steps):
         name = atom_text(step.atom)
-        for slip, changed in _in_step(step, name):
+        for slip, changed in slips_in_step(step, name):
             steps = (*derivation.steps[:k], changed, *derivation.steps[k + 1 :])
             yield Slipped(slip, replace(derivation, steps=steps), name)
     yield from _left_out(derivation, robot)
     yield from _wrist_from_whole(derivation)
-
-
-def _in_step(step: Step, name: str) -> Iterator[tuple[Slip, Step]]:
-    """What may go wrong in one step."""
-    for call in _calls(step, "atan2"):
-        yield from _in_arctangent(step, name, call)
-    if isinstance(step.spread, Call) and step.spread.function == "acos":
-        yield from _in_arccosine(step, name, step.spread)
-    if step.two:
-        words = f"one branch of {name} is left out"
-        whole = step.value if step.spread is None else add(step.value, step.spread)
-        yield (
-            Slip(f"one-branch {name}", words, "how many angles have this cosine, or this tangent?"),
-            replace(step, value=whole, spread=None, two=""),
-        )
-    terms = step.value.terms if isinstance(step.value, Sum) else ()
-    for term in terms[1:]:
-        if any(isinstance(node, Call) for node in walk(term)):
-            other = add(*(negate(one) if one is term else one for one in terms))
-            words = f"an angle is added in {name} that has to be subtracted, or the other way round"
-            yield (
-                Slip(f"angle-sign {name}", words, "draw the triangle: which angle is the larger one?"),
-                replace(step, value=other),
-            )
-
-
-def _in_arctangent(step: Step, name: str, call: Call) -> Iterator[tuple[Slip, Step]]:
-    y, x = call.arguments
-    shown = f"atan2 in {name}"
-    if (call == step.value or step.spread is None) and x != ZERO:
-        one = Call("atan", (multiply(y, power(x, -1)),))
-        words = f"atan stands for {shown}: it loses the quadrants where its second argument is negative"
-        yield (
-            Slip(f"atan-for-atan2 {name}", words, "which quadrants does atan know?"),
-            replace(with_other(step, call, one), two=step.two if step.two != "opposite" else ""),
-        )
-    words = f"the arguments of {shown} have changed places: the sine comes first"
-    yield (
-        Slip(f"atan2-swapped {name}", words, "which argument of atan2 belongs to the sine?"),
-        with_other(step, call, Call("atan2", (x, y))),
-    )
-
-
-def _in_arccosine(step: Step, name: str, spread: Call) -> Iterator[tuple[Slip, Step]]:
-    words = f"the sign in the law of cosines is wrong in {name}: the inner angle of the triangle is 180° less it"
-    yield (
-        Slip(f"cosine-sign {name}", words, "is it the inner angle of the triangle or the outer one?"),
-        replace(step, spread=Call("acos", (negate(spread.arguments[0]),))),
-    )
-    if step.value != ZERO:
-        words = f"{name} is computed without the offset: only the direction of the point was taken"
-        turned = Call("acos", (ZERO,)) if step.rule == "ONE" else ZERO
-        yield (
-            Slip(f"offset-left-out {name}", words, "does the arm lie in the plane through the first axis?"),
-            replace(step, spread=turned),
-        )
-
-
-def _calls(step: Step, function: str) -> list[Call]:
-    exprs = [step.value, *([step.spread] if step.spread is not None else [])]
-    found = [node for expr in exprs for node in walk(expr) if isinstance(node, Call) and node.function == function]
-    return list(dict.fromkeys(found))
-
-
-def with_other(step: Step, old: Expr, new: Expr) -> Step:
-    """A step with one expression in the place of another."""
-    return changed_step(step, lambda expr: put_for(expr, {old: new}))
-
-
-def changed_step(step: Step, change: Callable[[Expr], Expr]) -> Step:
-    """A step with its formula changed, on both sides of its sign."""
-    return replace(step, value=change(step.value), spread=None if step.spread is None else change(step.spread))
 
 
 def _left_out(derivation: Derivation, robot: Robot) -> Iterator[Slipped]:

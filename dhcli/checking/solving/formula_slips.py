@@ -12,8 +12,8 @@ from dhcli.checking.diagnosis.mistakes.in_terms import IN_ENTRY, Among
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.terms import functions, lengths
 from dhcli.checking.solving.covering import Asked, Case, Known
-from dhcli.checking.solving.derived import changed_step, with_other
 from dhcli.checking.solving.formulas import Formula
+from dhcli.checking.solving.in_step import changed_step, with_other
 from dhcli.checking.solving.typed import values_of
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.robot import Robot

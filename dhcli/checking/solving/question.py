@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Self, TypeVar
+from typing import TYPE_CHECKING, ClassVar, Self, TypeVar
 
 from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.linked import needed
@@ -30,6 +30,8 @@ class GoalQuestion(Question[T]):
 
     target: Target
 
+    needs_table: ClassVar = True  # for the joints
+
     def in_unit(self, unit: Fraction, scope: Scope) -> Self:
         """With the bare lengths of the pose in metres."""
         return replace(self, target=self.target.in_unit(unit, scope))
@@ -37,11 +39,6 @@ class GoalQuestion(Question[T]):
     def check(self, robot: Robot | None) -> None:
         """Make sure that the robot has the frames."""
         self.target.ends(robot)
-
-    @property
-    def needs_table(self) -> bool:
-        """The joints stand in the table."""
-        return True
 
     @property
     def names(self) -> frozenset[str]:

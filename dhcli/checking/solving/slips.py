@@ -90,6 +90,10 @@ def _showing(question: WantedJoints, case: Case) -> Iterator[Wrong]:
 
 
 def _is_wrong(question: WantedJoints, case: Case, rows: Sequence[Joints]) -> bool:
+    if question.which != "all":  # what misses the pose is judged by that alone
+        verdict = question.range_of(case).verdict(rows[0], case.tolerance)
+        if verdict is not Verdict.RIGHT:
+            return verdict is Verdict.WRONG
     typed = tuple(Vector(tuple(row), (False,) * len(row), shown="") for row in rows)
     return question.mark(case, Reading("", typed)).verdict is Verdict.WRONG
 
@@ -107,6 +111,7 @@ def _mistakes(question: WantedJoints, case: Case, field: Range) -> Iterator[tupl
     yield from _of_formulas(question, case, field)
     yield from _of_pose(case, field)
     yield from _absolute(field)
+    yield from _out_of_order(field)
     wanted = question.wanted(case)
     others = [q for k, q in enumerate(field.solutions) if k not in wanted]
     if question.which == "branch":
@@ -127,6 +132,19 @@ def _absolute(field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
                 words = f"{name} is counted from where {before} is, not from the link before"
                 slip = Slip(f"absolute-angle {name}", words, f"from which direction is {name} counted?")
                 yield slip, [(*q[:j], q[i] + q[j], *q[j + 1 :]) for q in field.solutions]
+
+
+def _out_of_order(field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
+    """Right values, each of two neighbours behind the other's name, or all in the reverse order."""
+    hint = "in which order are the joints asked for?"
+    turns = [name in field.robot.angles for name in field.joints]
+    for k, (one, two) in enumerate(pairwise(field.joints)):
+        if turns[k] == turns[k + 1]:
+            slip = Slip(f"joints-swapped {one} {two}", f"{one} and {two} have changed places", hint)
+            yield slip, [(*q[:k], q[k + 1], q[k], *q[k + 2 :]) for q in field.solutions]
+    if len(turns) > 2 and turns == turns[::-1]:  # noqa: PLR2004  two that are reversed have changed places
+        slip = Slip("joints-reversed", "the joints stand in the reverse order", hint)
+        yield slip, [q[::-1] for q in field.solutions]
 
 
 def _of_formulas(question: WantedJoints, case: Case, field: Range) -> Iterator[tuple[Slip, list[Joints]]]:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise
@@ -118,6 +119,19 @@ class Range:
         """Where joint values lead; right if the pose is met, or if they are a solution's but for rounding."""
         limit = self.limit(tolerance)
         off, words = self._missed(dict(zip(self.joints, values, strict=True)), limit, tolerance.rotation)
+        off, nearest = self._beside(values, off, limit, tolerance)
+        return Landing(off, nearest, "; ".join(word() for word in words))
+
+    def verdict(self, values: Sequence[float], tolerance: Tolerance) -> Verdict:
+        """The verdict on where joint values lead, without a word about it."""
+        limit = self.limit(tolerance)
+        off, _ = self._missed(dict(zip(self.joints, values, strict=True)), limit, tolerance.rotation)
+        return Landing(self._beside(values, off, limit, tolerance)[0], None, "").verdict
+
+    def _beside(
+        self, values: Sequence[float], off: float, limit: float, tolerance: Tolerance
+    ) -> tuple[float, int | None]:
+        """The error of joint values, no more than by which they differ from a solution, and which one that is."""
         nearest, best = None, math.inf
         for k, (solution, free) in enumerate(zip(self.solutions, self.free, strict=True)):
             gaps = apart(self.robot, self.joints, values, solution)
@@ -132,31 +146,33 @@ class Range:
             if not free:
                 off = min(off, worst)
         near = best * math.radians(tolerance.angle) <= FAR
-        return Landing(off, nearest if near else None, words)
+        return off, nearest if near else None
 
-    def _missed(self, q: Mapping[str, float], limit: float, rotation: float) -> tuple[float, str]:
-        """By how many tolerances the pose is missed, and in words."""
+    def _missed(self, q: Mapping[str, float], limit: float, rotation: float) -> tuple[float, list[Callable[[], str]]]:
+        """By how many tolerances the pose is missed, and what can be said of that."""
         there = fold(self.chain, Floats({**self.lengths, **q}))
-        said, off = [], 0.0
+        said, off = list[Callable[[], str]](), 0.0
         if self.target.task in ("pose", "position", "axis"):
             far = math.dist([row[3] for row in there[:3]], [row[3] for row in self.rows[:3]])
             off = far / limit
             if off > 1:
-                place = ", ".join(f"{round(row[3] / float(self.exercise.metres), 4) + 0.0:g}" for row in there[:3])
-                said.append(
-                    f"these joint values lead to ({place}){self.exercise.behind}, "
-                    f"{self.exercise.about(far)} away from the place asked for"
-                )
+                said.append(partial(self._far_words, there, far))
         if self.target.task in ("pose", "orientation"):
             typed, right = ([row[:3] for row in rows[:3]] for rows in (there, self.rows))
             turn = angle_between(typed, right) / rotation
             off = max(off, turn)
             if turn > 1:
-                said.append(turned(typed, right))
+                said.append(partial(turned, typed, right))
         if self.target.along:
             typed_z, right_z = ([row[2] for row in rows[:3]] for rows in (there, self.rows))
             turn = angle_of(typed_z, right_z) / rotation
             off = max(off, turn)
             if turn > 1:
-                said.append(f"z points {math.degrees(turn * rotation):.3g}° away from where it should")
-        return off, "; ".join(said)
+                words = f"z points {math.degrees(turn * rotation):.3g}° away from where it should"
+                said.append(partial(str, words))
+        return off, said
+
+    def _far_words(self, there: Rows, far: float) -> str:
+        place = ", ".join(f"{round(row[3] / float(self.exercise.metres), 4) + 0.0:g}" for row in there[:3])
+        words = f"these joint values lead to ({place}){self.exercise.behind}"
+        return f"{words}, {self.exercise.about(far)} away from the place asked for"

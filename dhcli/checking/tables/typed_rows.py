@@ -126,17 +126,29 @@ def misplaced(rows: Sequence[TypedRow], robot: Robot) -> str:
 def _row(cells: Sequence[Cell], number: int, heads: Heads, robot: Robot, scope: Scope) -> TypedRow:
     named = dict(zip(heads.columns, cells, strict=True))
     other: Bare = "rad" if heads.bare == "deg" else "deg"
-    a, d = (_length(named[column], f"row {number}, {column}", heads.unit, robot, scope) for column in ("a", "d"))
-    alpha, theta = (_angle(named[column], f"row {number}, {column}", heads.bare, scope) for column in ANGLES)
+    _check_columns(named, number, heads, scope)
+    a, d = (_length(named[column], f"row {number}, {column}", heads.unit, robot) for column in ("a", "d"))
+    alpha, theta = (_angle(named[column], f"row {number}, {column}", heads.bare) for column in ANGLES)
     row = Row(a, alpha, d, theta)
-    alpha, theta = (_angle(named[column], f"row {number}, {column}", other, scope) for column in ANGLES)
+    alpha, theta = (_angle(named[column], f"row {number}, {column}", other) for column in ANGLES)
     return TypedRow(row, named, replace(row, alpha=alpha, theta=theta), heads.says_unit)
 
 
-def _angle(cell: Cell, where: str, bare: Bare, scope: Scope) -> Angle:
-    for node in walk(cell.expr):
-        if isinstance(node, Symbol) and not scope.is_angle(node.name):
-            raise UnreadableError(f"{where}: {node.name} is a length, and this column holds angles")
+def _check_columns(named: Mapping[str, Cell], number: int, heads: Heads, scope: Scope) -> None:
+    """Refuse a length among the angles, and an angle among the lengths: the columns stand in another order.
+
+    Raises:
+        UnreadableError: There is one.
+    """
+    for column, cell in named.items():
+        for name in sorted(node.name for node in walk(cell.expr) if isinstance(node, Symbol)):
+            if scope.is_angle(name) is not (column in ANGLES):
+                what, others = ("a length", "angles") if column in ANGLES else ("an angle", "lengths")
+                where = f"row {number}, {column}: {name} is {what}, and this column holds {others}"
+                raise UnreadableError(f"{where}; the columns are {', '.join(heads.columns)}")
+
+
+def _angle(cell: Cell, where: str, bare: Bare) -> Angle:
     radians = any(isinstance(node, Constant) for node in walk(cell.expr))
     try:
         return to_angle(cell.expr, bare="rad" if radians else bare)
@@ -144,10 +156,8 @@ def _angle(cell: Cell, where: str, bare: Bare, scope: Scope) -> Angle:
         raise UnreadableError(f"{where}: {cell.text}: {error.message} ({error.hint})") from None
 
 
-def _length(cell: Cell, where: str, unit: str, robot: Robot, scope: Scope) -> Expr:
+def _length(cell: Cell, where: str, unit: str, robot: Robot) -> Expr:
     for node in walk(cell.expr):
-        if isinstance(node, Symbol) and scope.is_angle(node.name):
-            raise UnreadableError(f"{where}: {node.name} is an angle, and this column holds lengths")
         if isinstance(node, Trig) and node.angle.names & set(robot.variables):
             raise UnreadableError(f"{where}: {cell.text} moves with a joint; a length of a link is constant")
     try:

@@ -44,6 +44,7 @@ def start(
     from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import write_file
     from dhcli.errors import DhcliError
+    from dhcli.files.library.lookup import YAML
     from dhcli.files.yaml.exercises import load_exercise
     from dhcli.files.yaml.sheets import write_sheet
     from dhcli.render.endings import check_ending
@@ -62,7 +63,7 @@ def start(
         write_out(text)
         return
     check_ending(output, "yaml")
-    named = shlex.quote(name) if name.endswith((".yaml", ".yml")) else exercise.id
+    named = shlex.quote(name) if name.endswith(YAML) else exercise.id
     path = output or f"{exercise.file_name}.sheet.yaml"
     write_file(path, text, overwrite=overwrite, instead="it may hold answers: -o OTHER.yaml writes another; ")
     tell(f"wrote {path}")

@@ -87,6 +87,7 @@ class _Walk:
         marks: The last judgement of each part.
         answers: The last answer to each part, from which later ones may follow.
         hints: How many hints were shown for each part.
+        notes: What was said about how to write an answer to the part before.
         typing: Where lines come from.
         paper: Where it is written.
     """
@@ -96,6 +97,7 @@ class _Walk:
     marks: dict[str, PartMark]
     answers: dict[str, str] = field(default_factory=dict)
     hints: dict[str, int] = field(default_factory=dict)
+    notes: frozenset[str] = frozenset()
     typing: Typing = field(default_factory=Typing)
     paper: Paper = field(default_factory=lambda: Paper.of(sys.stdout))
 
@@ -110,7 +112,7 @@ class _Walk:
             self.write(f"Solved already, and not asked again: {', '.join(self.marks)}.", "dim")
         place = self.next_open(parts, 0)
         while place < len(parts):
-            write_out(f"\n{question_text(self.judge.exercise, parts[place], self.paper)}")
+            self.pose(parts[place])
             step = self.settle(parts[place])
             if step is Step.END:
                 return
@@ -120,6 +122,12 @@ class _Walk:
                 place -= 1
             else:
                 self.write("This is the first part.", "dim")
+
+    def pose(self, part: Part) -> None:
+        """Ask a part; how to write an answer is told once, and not again where the part before had the same notes."""
+        exercise = self.judge.exercise
+        write_out(f"\n{question_text(exercise, part, self.paper, known=self.notes)}")
+        self.notes = frozenset(part.question.notes(exercise))
 
     def next_open(self, parts: tuple[Part, ...], place: int) -> int:
         """The next part that is not solved, from a place on; beyond the end if all are."""

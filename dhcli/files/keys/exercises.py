@@ -9,6 +9,8 @@ from dhcli.checking.verdicts import Verdict
 from dhcli.files.keys.shapes import ANGLE, FLAG, NUMBER, TEXT, TEXTS, WHOLE, Either, Key, Keyed, Many, Named, Scalar
 from dhcli.notation.quantity import LENGTH_UNITS
 
+ANSWER = Either((Scalar(may_be_empty=True), Many(Either((TEXT, TEXTS)))))
+"""An answer as a sheet has it: a text, or a list as YAML has it."""
 TOLERANCE = (
     Key("rotation", "largest error of a direction cosine", NUMBER),
     Key("position", "largest error of a length", TEXT),
@@ -35,12 +37,12 @@ ALSO = (
     Key("note", "why", TEXT),
 )
 PRINTED = (
-    Key("answer", "what the document prints", TEXT, is_required=True),
+    Key("answer", "what the document prints", ANSWER, is_required=True),
     Key("note", "what is wrong with it", TEXT),
 )
 TEST = (
     Key("part", "the part that is answered", TEXT, is_required=True),
-    Key("answer", "the answer", Scalar(may_be_empty=True)),
+    Key("answer", "the answer", ANSWER),
     Key("mistake", "a mistake that dhcli makes in the truth", TEXT),
     Key("verdict", "how it is judged", Scalar(tuple(verdict.word for verdict in Verdict)), is_required=True),
 )
@@ -98,7 +100,7 @@ EXERCISE = (
     Key("credit", "what answers earn, in all parts", Keyed(SHARES), example="credit: {close: 1/2}"),
     Key("also", "a second robot whose answers are right too", Keyed(ALSO), example="also: {robot: NAME, note: why}"),
     Key("parts", "the questions", Many(Keyed(PART), 1), is_required=True, example="parts: [{id: a1, ask: pose 0..3}]"),
-    Key("printed", "what the document prints, by part", Named(Either((TEXT, Keyed(PRINTED))))),
+    Key("printed", "what the document prints, by part", Named(Either((ANSWER, Keyed(PRINTED))))),
     Key("tests", "answers and how they are judged, for `lint`", Many(Keyed(TEST))),
     Key(
         "variants",

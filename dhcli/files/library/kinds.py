@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from os.path import isdir, isfile
 
 from dhcli.errors import FileError, UnknownNameError, joined
-from dhcli.files.library.lookup import Kind, above, entries, full_id, similar
+from dhcli.files.library.lookup import YAML, Kind, above, entries, full_id, similar
 from dhcli.files.reading import read_text
 
 _SIGNS = {
@@ -22,7 +22,7 @@ def kind_of(name: str) -> Kind:
     Args:
         name: A name, a path, or `-`, which is taken for a robot without being read.
     """
-    if name.endswith((".yaml", ".yml")):
+    if name.endswith(YAML):
         return _kind_of_file(name)
     for kind, wanted in ((Kind.EXERCISES, full_id(name)), (Kind.LINKAGES, name)):
         if any(entry.name == wanted for entry in entries(kind)):

@@ -29,10 +29,11 @@ AS_SIMILAR = 0.1
 """How much less like it a name may be than the nearest of all kinds, to be suggested beside it."""
 LEAST_TYPED = 3
 """Letters by which names are found that hold them anywhere."""
-_SUFFIXES = (".yaml", ".yml")
+YAML = (".yaml", ".yml")
+"""What the name of a file of the library ends in."""
 _OWN_FOLDERS = ("robots", "exercises")
 """What makes an entry of `$DHCLI_PATH` a root."""
-_PATHS = (*_SUFFIXES, ".urdf", ".xml", ".xacro", ".sdf", ".csv", ".tsv", ".md", ".m", ".py")
+_PATHS = (*YAML, ".urdf", ".xml", ".xacro", ".sdf", ".csv", ".tsv", ".md", ".m", ".py")
 """What the name of a file ends in, where it is no name of the library."""
 _PACKAGE = Path(__file__).parents[2]
 _path = lru_cache(1024)(Path)
@@ -138,7 +139,7 @@ def typed_path(path: Path) -> str:
 
 def full_id(name: str) -> str:
     """An id from its last part, where only one exercise ends so."""
-    if "/" in name or name.endswith((".yaml", ".yml")) or name == "-":
+    if "/" in name or name.endswith(YAML) or name == "-":
         return name
     ends = [entry.name for entry in entries(Kind.EXERCISES) if entry.name.split("/")[-1] == name and not entry.shadowed]
     return ends[0] if len(ends) == 1 else name
@@ -179,7 +180,7 @@ def _hint(kind: Kind, name: str, known: tuple[Entry, ...]) -> str:
     for other in Kind:
         if other is not kind and any(entry.name == name for entry in entries(other)):
             hints = [f"'{name}' is the name of a{'n' if other is Kind.EXERCISES else ''} {other.noun}", begun]
-    for path in (name, *(name + suffix for suffix in _SUFFIXES)):
+    for path in (name, *(name + suffix for suffix in YAML)):
         if os.path.isfile(path):
             hints = [f"for the file in this folder type ./{path}"]
     if found := above(kind, name):
@@ -292,5 +293,5 @@ def _files(folder: str | Path, *, nested: bool, below: str = "") -> Iterator[tup
         if nested:
             if child.is_dir(follow_symlinks=False) or os.path.isdir(child.path):
                 yield from _files(child.path, nested=False, below=f"{name}/")
-        elif name.lower().endswith(_SUFFIXES) and (child.is_file(follow_symlinks=False) or os.path.isfile(child.path)):
+        elif name.lower().endswith(YAML) and (child.is_file(follow_symlinks=False) or os.path.isfile(child.path)):
             yield below + name[: name.rindex(".")], child.path

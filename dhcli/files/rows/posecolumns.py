@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
 from dhcli.errors import FileError, Place, Problem, RobotError
-from dhcli.files.rows import INDEX, POSITION
+from dhcli.files.rows import INDEX, MATRIX, POSITION, TURNS
 from dhcli.files.rows.heads import factor_of, name_and_unit
 from dhcli.frozen import frozen
 from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw
@@ -17,18 +17,6 @@ from dhcli.kinematics.placement import ORIENTATIONS
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-TURNS: Mapping[str, tuple[str, ...]] = {
-    **{form: tuple(f"{form}_{k}" for k in (1, 2, 3)) for form in ORIENTATIONS},
-    "rpy": ("roll", "pitch", "yaw"),
-    "quaternion": ("q_w", "q_x", "q_y", "q_z"),
-    "rotation-vector": ("r_x", "r_y", "r_z"),
-    "axis-angle": ("axis_x", "axis_y", "axis_z", "angle"),
-}
-"""The columns of each way to say an orientation beside a position; angles in radians."""
-
-MATRIX = tuple(head for i in (1, 2, 3) for head in (*(f"r{i}{k}" for k in (1, 2, 3)), f"p_{'xyz'[i - 1]}"))
-"""The columns of a pose: three rows of three direction cosines and a length [m]."""
 
 _HINT = (
     f"wanted: {','.join(MATRIX)}, or {','.join(POSITION)}, also with an orientation beside it such as "

@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.errors import FileError, Place, Problem
-from dhcli.files.rows import POSITION
+from dhcli.files.rows import MATRIX, POSITION, TURNS
 from dhcli.files.rows.blocks import Block, Sieve, cell_problem
 from dhcli.files.rows.cells import CellError, json_number
 from dhcli.files.rows.csvrows import CsvRows
 from dhcli.files.rows.formats import Rows, format_of
 from dhcli.files.rows.jsonrows import parsed_at_once
 from dhcli.files.rows.npyrows import NpyArray, place_in_array
-from dhcli.files.rows.posecolumns import MATRIX, TURNS, PoseTable, check_alone, directions, posed
+from dhcli.files.rows.posecolumns import PoseTable, check_alone, directions, posed
 from dhcli.files.rows.source import Source, parted, text_blocks
 
 if TYPE_CHECKING:

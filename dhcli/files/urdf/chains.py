@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from fractions import Fraction
+
 from dhcli.errors import FileError, Place, Problem, UnknownNameError, did_you_mean, listed
 from dhcli.files.reading import source_of
-from dhcli.files.urdf.model import KINDS, Joint, Model
+from dhcli.files.urdf.model import KINDS, Joint, Mimic, Model
 from dhcli.kinematics.given import text_of
 
 
@@ -35,6 +38,30 @@ def chain_of(model: Model, base: str | None, tip: str | None = None) -> tuple[Jo
                 Problem(f"joint {joint.name} is {joint.kind}, which is no joint of one variable", joint.place, hint)
             )
     return joints
+
+
+def with_leaders(joints: tuple[Joint, ...], beside: frozenset[str]) -> tuple[tuple[Joint, ...], list[str]]:
+    """A chain of which no joint follows one beside it, and what was changed for that.
+
+    The first that follows such a joint, as one finger of a hand follows the other, has a variable of its own, and
+    others that follow the same one follow it.
+    """
+    own, told, leaders = list[Joint](), list[str](), dict[tuple[str, str], tuple[Joint, Mimic]]()
+    for joint in joints:
+        mimic = joint.mimic
+        if mimic is None or mimic.joint not in beside:
+            own.append(joint)
+        elif (joint.kind, mimic.joint) in leaders:
+            leader, way = leaders[joint.kind, mimic.joint]
+            share = Fraction(mimic.multiplier) / Fraction(way.multiplier)
+            offset = Fraction(mimic.offset) - share * Fraction(way.offset)
+            own.append(replace(joint, mimic=Mimic(leader.name, str(share), str(offset))))
+        else:
+            if Fraction(mimic.multiplier):
+                leaders[joint.kind, mimic.joint] = joint, mimic
+            own.append(replace(joint, mimic=None))
+            told.append(f"{joint.name} follows {mimic.joint}, which is not on this chain: it has a variable of its own")
+    return tuple(own), told
 
 
 def _tree(model: Model) -> dict[str, Joint]:

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from xml.parsers import expat
 
-from dhcli.errors import FileError, Place, Problem
+from dhcli.errors import FileError, Place, Problem, did_you_mean
 from dhcli.files.foreign.forms import Form, form_of, told
 from dhcli.frozen import frozen
+from dhcli.regex import regex
 
 DEEPEST = 100
 MOST = 20_000
 KINDS = ("fixed", "revolute", "continuous", "prismatic")
 _OTHERS = ("floating", "planar", "spherical")
 _ZEROS = ("0", "0", "0")
+_NUMBER = regex(r"[-+]?[0-9]{0,20}\.[0-9]{1,20}")
 
 
 @frozen
@@ -75,7 +77,7 @@ def read_model(text: str, source: str) -> Model:
     form = form_of(text)
     if form in (Form.SDF, Form.MJCF):
         raise FileError(told(form, source))
-    reader = _Reader(Model(source))
+    reader = _Reader(Model(source), text.split("\n"))
     parser = expat.ParserCreate("UTF-8")  # the text was decoded already, whatever its first line says
     parser.StartElementHandler = reader.start
     parser.EndElementHandler = reader.end
@@ -88,14 +90,18 @@ def read_model(text: str, source: str) -> Model:
         raise FileError(Problem(f"is no XML: {expat.ErrorString(error.code)}", place)) from None
     if not reader.path_seen:
         raise FileError(Problem("holds no <robot>", Place(source)))
+    if reader.problems:
+        raise FileError(reader.problems)
     return reader.model
 
 
 class _Reader:
-    """Takes the tags one by one."""
+    """Takes the tags one by one; of what is wrong and does not stop it, all is told at the end."""
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: Model, lines: Sequence[str]) -> None:
         self.model = model
+        self.lines = lines
+        self.problems: list[Problem] = []
         self.parser: expat.XMLParserType
         self.path: list[str] = []
         self.joint: Joint | None = None
@@ -124,7 +130,7 @@ class _Reader:
             case ["robot", "link"]:
                 name = self.wanted(attributes, "name", tag)
                 if name in self.model.links:
-                    self.stop(f"there are two links called {name}")
+                    self.tell(f"there are two links called {name}")
                 self.model.links[name] = self.place()
             case ["robot", "joint"]:
                 self.open_joint(attributes)
@@ -135,7 +141,7 @@ class _Reader:
         if self.path == ["robot", "joint"] and self.joint is not None:
             for what in ("parent", "child"):
                 if not getattr(self.joint, what):
-                    self.stop(f"joint {self.joint.name} has no <{what} link=...>")
+                    self.tell(f"joint {self.joint.name} has no <{what} link=...>")
             self.model.joints.append(self.joint)
             self.joint = None
         self.path.pop()
@@ -144,9 +150,10 @@ class _Reader:
         """A joint begins."""
         name, kind = self.wanted(attributes, "name", "joint"), self.wanted(attributes, "type", "joint")
         if kind not in (*KINDS, *_OTHERS):
-            self.stop(f"joint {name}: there is no type {kind}", f"types: {', '.join(KINDS)}")
+            hint = did_you_mean(kind, KINDS) or f"types: {', '.join(KINDS)}"
+            self.tell(f"joint {name}: there is no type {kind}", hint)
         if any(joint.name == name for joint in self.model.joints):
-            self.stop(f"there are two joints called {name}")
+            self.tell(f"there are two joints called {name}")
         self.joint = Joint(name, kind, self.place())
 
     def part(self, joint: Joint, tag: str, attributes: Mapping[str, str]) -> None:
@@ -161,7 +168,7 @@ class _Reader:
                 joint.rpy = self.three(attributes.get("rpy", "0 0 0"), "rpy")
             case "axis":
                 joint.axis = self.three(attributes.get("xyz", "1 0 0"), "axis")
-            case "limit" if joint.kind in ("revolute", "prismatic"):
+            case "limit" if joint.kind in ("revolute", "prismatic") and {"lower", "upper"} & attributes.keys():
                 low, high = attributes.get("lower", "0"), attributes.get("upper", "0")
                 self.three(f"{low} {high} 0", "limit")
                 joint.limits = low.strip(), high.strip()
@@ -174,14 +181,17 @@ class _Reader:
         """Three numbers."""
         pieces = tuple(text.split())
         if len(pieces) != 3:  # noqa: PLR2004  x y z
-            self.stop(f"{what}: three numbers are wanted, not '{text}'", 'write xyz="0 0 0.1"')
+            self.tell(f"{what}: three numbers are wanted, not '{text}'", 'write xyz="0 0 0.1"')
+            return _ZEROS
         for piece in pieces:
             try:
                 value = float(piece)
             except ValueError:
                 value = float("nan")
             if not math.isfinite(value) or "_" in piece:
-                self.stop(f"{what}: '{piece}' is no number")
+                decimal = piece.replace(",", ".")
+                self.tell(f"{what}: '{piece}' is no number", f"write {decimal}" if _NUMBER.fullmatch(decimal) else "")
+                return _ZEROS
         return pieces
 
     def wanted(self, attributes: Mapping[str, str], key: str, tag: str) -> str:
@@ -192,8 +202,13 @@ class _Reader:
 
     def place(self) -> Place:
         """Where the parser is."""
-        return Place(self.model.source, self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1)
+        line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
+        return Place(self.model.source, line, column, "".join(self.lines[line - 1 : line]))
+
+    def tell(self, message: str, hint: str = "") -> None:
+        """Note what is wrong, and go on."""
+        self.problems.append(Problem(message, self.place(), hint))
 
     def stop(self, message: str, hint: str = "") -> None:
         """Give up."""
-        raise FileError(Problem(message, self.place(), hint))
+        raise FileError([*self.problems, Problem(message, self.place(), hint)])

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from dhcli.files.urdf.model import Joint
 from dhcli.notation.angle import Angle
 
 _STEPS = ((90, 2e-3), (45, 1e-3), (15, 1e-4))
 """Multiples of so many degrees, and how far a rounded one may be from them [rad]."""
 _LEAST = 1e-6
+_A_TURN = 7.0
+_FAR = 10.0
+"""What no roll and no length of a robot is beyond [rad and m]; in degrees and millimetres they are."""
 
 
 @dataclass(slots=True)
@@ -53,6 +58,18 @@ def round_degrees(text: str) -> int | None:
         if degrees and abs(math.radians(degrees) - value) <= min(max(digit, _LEAST), cap):
             return degrees
     return None
+
+
+def odd_numbers(joints: Sequence[Joint]) -> Iterator[str]:
+    """What is said of numbers that are hardly meant in radians and metres."""
+    turned = {joint.name: text for joint in joints for text in joint.rpy if abs(float(text)) > _A_TURN}
+    if turned:
+        names, text = ", ".join(turned), next(iter(turned.values()))
+        yield f"rpy of {names}: {text} is more than a turn; angles are in radians, and 90° is 1.5708"
+    away = {joint.name: text for joint in joints for text in joint.xyz if abs(float(text)) > _FAR}
+    if away:
+        names, text = ", ".join(away), next(iter(away.values()))
+        yield f"xyz of {names}: {text} is longer than any arm; lengths are in metres, and 300 mm is 0.3"
 
 
 def _last_digit(text: str) -> float:

@@ -4,24 +4,26 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from fractions import Fraction
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import FileError, Problem, plural
-from dhcli.files.urdf.chains import chain_of
-from dhcli.files.urdf.model import Joint, Mimic, read_model
-from dhcli.files.urdf.numbers import Meaning
+from dhcli.files.urdf.chains import chain_of, with_leaders
+from dhcli.files.urdf.model import Joint, read_model
+from dhcli.files.urdf.numbers import Meaning, odd_numbers
 from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.entries import small_length
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.validity import InvalidRobotError
 from dhcli.notation import turns
 from dhcli.notation.angle import Angle
-from dhcli.notation.quarters import remark_on
-from dhcli.notation.tree import Expr, Symbol, add, decimal, multiply
+from dhcli.notation.quarters import Slight, remark_on
+from dhcli.notation.tree import Expr, Number, Symbol, add, decimal, multiply
 from dhcli.regex import regex
 
+_NOTHING = 1e-9
+"""What is so little that nobody is told of it [rad or m]."""
 _KEPT = regex(r"[A-Za-z]+_?[0-9]+")
 """Names of joints that are names of variables too."""
 
@@ -47,32 +49,8 @@ def read_urdf(
     joints = chain_of(model, base, tip)
     said = f"the URDF {source}, from link {joints[0].parent} to link {joints[-1].child}"
     beside = frozenset(joint.name for joint in model.joints).difference(joint.name for joint in joints)
-    own, alone = _with_leaders(joints, beside)
+    own, alone = with_leaders(joints, beside)
     return robot_of_joints(own, name, model.name or name, said, as_typed=as_typed, told=alone)
-
-
-def _with_leaders(joints: tuple[Joint, ...], beside: frozenset[str]) -> tuple[tuple[Joint, ...], list[str]]:
-    """A chain of which no joint follows one beside it, and what was changed for that.
-
-    The first that follows such a joint, as one finger of a hand follows the other, has a variable of its own, and
-    others that follow the same one follow it.
-    """
-    own, told, leaders = list[Joint](), list[str](), dict[tuple[str, str], tuple[Joint, Mimic]]()
-    for joint in joints:
-        mimic = joint.mimic
-        if mimic is None or mimic.joint not in beside:
-            own.append(joint)
-        elif (joint.kind, mimic.joint) in leaders:
-            leader, way = leaders[joint.kind, mimic.joint]
-            share = Fraction(mimic.multiplier) / Fraction(way.multiplier)
-            offset = Fraction(mimic.offset) - share * Fraction(way.offset)
-            own.append(replace(joint, mimic=Mimic(leader.name, str(share), str(offset))))
-        else:
-            if Fraction(mimic.multiplier):
-                leaders[joint.kind, mimic.joint] = joint, mimic
-            own.append(replace(joint, mimic=None))
-            told.append(f"{joint.name} follows {mimic.joint}, which is not on this chain: it has a variable of its own")
-    return tuple(own), told
 
 
 def robot_of_joints(
@@ -86,6 +64,16 @@ def robot_of_joints(
     return _Builder(joints, Meaning(as_typed), told).robot(name, title, source)
 
 
+def _shifted(moves: Sequence[Move], more: Chain) -> list[Move]:
+    """Moves and others behind them; a fixed shift behind another is one with it."""
+    if moves and more and isinstance(first := moves[-1], Trans) and isinstance(then := more[0], Trans):
+        pairs = tuple(zip((first.x, first.y, first.z), (then.x, then.y, then.z), strict=True))
+        if all(isinstance(part, Number) for pair in pairs for part in pair):
+            x, y, z = (add(*pair) for pair in pairs)
+            return [*moves[:-1], Trans(x, y, z), *more[1:]]
+    return [*moves, *more]
+
+
 class _Builder:
     """Builds the links one joint after the other."""
 
@@ -95,6 +83,7 @@ class _Builder:
         self.shifts: list[tuple[float, int]] = []
         self.lengths: list[float] = []
         self.remarks = list(told)
+        self.none: list[str] = []
         self.moving = tuple(joint for joint in joints if joint.kind != "fixed")
 
     def robot(self, name: str, title: str, source: str) -> Robot:
@@ -102,7 +91,7 @@ class _Builder:
         links: list[Link] = []
         waiting: list[Move] = []
         for joint in self.joints:
-            waiting += self.origin(joint)
+            waiting = _shifted(waiting, self.origin(joint))
             if joint.kind == "fixed":
                 continue
             leader, factor, offset = self.leader(joint)
@@ -123,7 +112,8 @@ class _Builder:
             variables=tuple(variables.values()),
             links=tuple(links),
             limits=limits,
-            remarks=(*self.taken(), *self.remarks),
+            remarks=(*self.taken(), *self.remarks, *self.left_out(), *odd_numbers(self.joints)),
+            called={variable: joint for joint, variable in variables.items() if joint != variable},
             notes="\n".join(
                 f"{variable} is the joint {joint}." for joint, variable in variables.items() if joint != variable
             ),
@@ -209,7 +199,7 @@ class _Builder:
         """The limits of a joint, and of those that follow it, where theirs are narrower."""
         low, high = joint.limits or (None, None)
         if low is not None and high is not None and float(low) >= float(high):
-            self.remarks.append(f"the limits of {joint.name}, {low} to {high}, are none and left out")
+            self.none.append(joint.name)
             low = high = None
         for other in self.moving:
             leader, factor, offset = self.leader(other)
@@ -232,10 +222,19 @@ class _Builder:
             return
         text, degrees = rounded[0]
         tip = sum(shift * (sum(self.lengths[behind:]) + self.slides()) for shift, behind in self.shifts)
-        moved = f"{tip * 1e6:.2g} µm" if tip < 1e-3 else f"{tip * 1e3:.2g} mm"  # noqa: PLR2004
+        seen = max(tip, *(shift for shift, _ in self.shifts))
+        if seen < _NOTHING:  # they were typed with all their digits
+            return
         count = f"{len(rounded)} of {plural(self.meaning.angles, 'angle')}"
-        said = f"taken for multiples of 15°: {count} ({text} -> {degrees}°); the tip moves by at most {moved}"
-        yield remark_on(f"{said}; --as-typed keeps them", tip)
+        said = (
+            f"taken for multiples of 15°: {count} ({text} -> {degrees}°); the tip moves by at most {small_length(tip)}"
+        )
+        yield remark_on(f"{said}; --as-typed keeps them", seen)
+
+    def left_out(self) -> Iterator[str]:
+        """Which limits are none."""
+        if self.none:
+            yield Slight(f"the limits of {', '.join(dict.fromkeys(self.none))} are left out: lower is not below upper")
 
     def slides(self) -> float:
         """How far all sliding joints together reach."""

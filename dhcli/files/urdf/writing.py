@@ -9,7 +9,7 @@ from dataclasses import replace
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.geometry.euler import RollPitchYaw
-from dhcli.geometry.vectors import ORIGIN, Vector, plus
+from dhcli.geometry.vectors import ORIGIN, Vector, minus
 from dhcli.kinematics.coupling import Uncoupled, is_coupled, uncoupled
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, drawing_of
@@ -109,10 +109,10 @@ def _lines(robot: Robot, parts: Sequence[_Part], end: Frame) -> Iterator[str]:
     here = ORIGIN
     for i, part in enumerate(parts):
         there = _at(part.line.through) if part.line.through is not None else here
-        yield from _joint(robot, part, links[i : i + 2], plus(there, here, -1))
+        yield from _joint(robot, part, links[i : i + 2], minus(there, here))
         here = there
     yield f'  <joint name="tool0_joint" type="fixed">\n    <parent link="{links[-2]}"/>\n    <child link="tool0"/>'
-    yield f"    {_origin(plus(_at(end.origin), here, -1), end)}\n  </joint>"
+    yield f"    {_origin(minus(_at(end.origin), here), end)}\n  </joint>"
     yield "</robot>"
 
 

@@ -9,19 +9,19 @@ from dhcli.algebra.floats import Floats
 from dhcli.errors import NotationError, did_you_mean
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
-from dhcli.geometry.vectors import ALONG
-from dhcli.mobility.linkage import Vector
-from dhcli.notation.angle import Angle
-from dhcli.notation.parser import parse
+from dhcli.files.yaml.typed import parsed
+from dhcli.geometry.vectors import ALONG, Vector, axis_called
+from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle
 from dhcli.notation.quantity import ANGLE_UNITS, DimensionError, to_angle, to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr, Unit
+from dhcli.notation.tree import Expr, Trig, Unit
 from dhcli.notation.walk import symbols, walk
 from dhcli.regex import regex
 
 MOST_NAMES = 1_000
 """Names under `let:`; each is read with all before it in view."""
 
+_BETWEEN = regex(r"\s*([^\s>→-]+)\s*(?:-+>?|→|,)?\s*([^\s>→-]+)\s*")
 _FROM_TO = regex(r"\s*(\S+)\s+to\s+(\S+)\s*")
 
 
@@ -94,16 +94,20 @@ class Coordinates:
 
     def direction(self, node: PlacedNode, key: str) -> Vector:
         """A direction: `x`, `-z`, `A to B`, or its components."""
-        if not isinstance(node, PlacedScalar):
+        if not isinstance(node, PlacedScalar) or node.text.startswith("("):
             return self._coordinates(node, key)
-        sign, letter = (-1.0, node.text[1:]) if node.text.startswith("-") else (1.0, node.text)
-        if letter in ALONG:
-            x, y, z = ALONG[letter]
-            return sign * x, sign * y, sign * z
+        if axis := axis_called(node.text):
+            return axis
         if match := _FROM_TO.fullmatch(node.text):
             ends = [self.point(PlacedScalar(name, node.place), key) for name in match.groups()]
             return ends[1][0] - ends[0][0], ends[1][1] - ends[0][1], ends[1][2] - ends[0][2]
-        self.problems.add(node.place, f"{key}: '{node.text}' is no direction", "write x, -y, [1, 0, 1], or A to B")
+        between = _BETWEEN.fullmatch(node.text)
+        hint = "write x, -y, [1, 0, 1], or A to B"
+        if axis_called(node.text.lower()):
+            hint = f"write {node.text.lower()}"
+        elif between and {*between.groups()} <= self.points.keys():
+            hint = f"write {between[1]} to {between[2]}"
+        self.problems.add(node.place, f"{key}: '{node.text}' is no direction", hint)
         return ALONG["z"]
 
     def _coordinates(self, node: PlacedNode, key: str) -> Vector:
@@ -121,10 +125,16 @@ class Coordinates:
 
     def _expression(self, scalar: PlacedScalar) -> Expr | None:
         try:
-            return parse(scalar.text, self.scope, scalar.place_of(0))
+            expr = parsed(scalar, self.scope)
         except NotationError as error:
             self.problems.take(error)
             return None
+        turning = (name for node in walk(expr) if isinstance(node, Trig) for name in sorted(node.angle.names))
+        for name in dict.fromkeys(turning):
+            if isinstance(value := self.values.get(name), float) and abs(value) > FULL_TURN_IN_RADIANS:
+                message = f"{name} is {value:g} without a unit, and stands in a cosine or sine"
+                self.problems.add(scalar.place, message, f"write {name}: {value:g}°")
+        return expr
 
     def _number(self, expr: Expr, scalar: PlacedScalar, key: str) -> float:
         try:

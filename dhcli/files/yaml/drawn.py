@@ -14,7 +14,7 @@ from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, Pla
 from dhcli.files.yaml.robot_loader import Loader
 from dhcli.files.yaml.typed import read_value
 from dhcli.geometry.orthonormal import not_a_rotation
-from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, length, scaled
+from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, axis_called, length, scaled
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, drawing_of
 from dhcli.kinematics.describe.linear import Form, LettersError, Point, form_of, moved, point_of
@@ -211,10 +211,8 @@ class DrawnLoader(Loader):
 
     def direction(self, node: PlacedNode | None, key: str) -> Vector:
         """`+z`, `-x`, or three numbers, as a unit vector."""
-        text = node.text.strip() if isinstance(node, PlacedScalar) else ""
-        sign, letter = (-1.0, text[1:]) if text.startswith("-") else (1.0, text.removeprefix("+"))
-        if letter in ("x", "y", "z"):
-            return scaled(UNITS["xyz".index(letter)], sign)
+        if isinstance(node, PlacedScalar) and (axis := axis_called(node.text.strip())):
+            return axis
         vector = self.numbers(self.expressions(node, key, 3), node, key)
         if not length(vector):
             if node is not None and not self.problems.found:

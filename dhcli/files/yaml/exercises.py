@@ -16,10 +16,10 @@ from dhcli.files.keys.shapes import names, required
 from dhcli.files.library.lookup import Kind, check_typed, entries, find, full_id
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.credits import read_shares
-from dhcli.files.yaml.fields import Problems
+from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.named import Named
 from dhcli.files.yaml.parts import PartReader
-from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
+from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, as_text, read_yaml
 from dhcli.files.yaml.ranges import is_bare, read_variants
 from dhcli.files.yaml.tolerances import read_tolerance
 from dhcli.files.yaml.typed import (
@@ -268,9 +268,9 @@ class _Loader:
             node = fields.get(key)
             if isinstance(node, PlacedMapping):
                 inner = self.problems.mapping(node, key, known=names(PRINTED), required=required(PRINTED))
-                printed[key] = Printed(inner.text("answer"), inner.text("note"))
+                printed[key] = Printed(_answer(inner, "answer"), inner.text("note"))
             else:
-                printed[key] = Printed(fields.text(key))
+                printed[key] = Printed(_answer(fields, key))
         return printed
 
     def trial(self, node: PlacedNode) -> Trial:
@@ -293,12 +293,17 @@ class _Loader:
             hint = f"write {meant}" if meant else f"one of {', '.join(words)}"
             self.problems.add(fields.place_of("verdict"), f"verdict: '{verdict}' is not known", hint)
             verdict = meant
-        blank = fields.get("answer")
-        answer = "" if isinstance(blank, PlacedScalar) and blank.quoted and not blank.text else fields.text("answer")
-        return Trial(name, answer, verdict, fields.text("mistake"))
+        return Trial(name, _answer(fields, "answer"), verdict, fields.text("mistake"))
 
     def check_printed(self) -> None:
         for key in self.printed:
             if key not in self.parts.ids:
                 hint = did_you_mean(key, self.parts.ids)
                 self.problems.add(self.fields.place_of("printed"), f"printed: there is no part {key}", hint)
+
+
+def _answer(fields: Fields, key: str) -> str:
+    """An answer as a sheet has it: a text, which may be empty in quotes, or a list."""
+    node = fields.get(key)
+    is_it = isinstance(node, PlacedSequence) or (isinstance(node, PlacedScalar) and node.quoted and not node.text)
+    return as_text(node) if node is not None and is_it else fields.text(key)

@@ -13,7 +13,15 @@ from dhcli.errors import DhcliError, FileError, Place, Problem
 from dhcli.files.yaml.cut import is_piece, tell
 from dhcli.files.yaml.heads import FORMAT, check_format, check_kind
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
-from dhcli.files.yaml.slips import entries_of, hint_for_brackets, items_of, node_kind, with_decimal_points, with_equals
+from dhcli.files.yaml.slips import (
+    blanks_between,
+    entries_of,
+    hint_for_brackets,
+    items_of,
+    node_kind,
+    with_decimal_points,
+    with_equals,
+)
 from dhcli.files.yaml.unknown import OWN, hint_for, meant
 from dhcli.frozen import frozen
 
@@ -155,6 +163,9 @@ class Problems:
             are_names: Whether they are names, which blanks may separate.
         """
         if isinstance(node, PlacedSequence):
+            if (parted := blanks_between(node, count))[0]:
+                self.add(node.place, f"{what}: a comma stands between values", f"write {parted[1]}")
+                return parted[0]
             if not (items := with_decimal_points(node, count)):
                 return node.items
             message = f"{what}: a number has a decimal comma, which ends a value here"

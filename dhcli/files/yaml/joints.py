@@ -8,20 +8,41 @@ from dhcli.files.keys.shapes import names, required
 from dhcli.files.yaml.coordinates import Coordinates
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
-from dhcli.files.yaml.typed import read_flag
+from dhcli.files.yaml.typed import parsed, read_flag
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
 from dhcli.mobility.dhloop import joints_of_loop
 from dhcli.mobility.linkage import Joint
-from dhcli.mobility.pairs import LETTERS, LinkageError, Pair, Space, pair_of
+from dhcli.mobility.pairs import LETTERS, WORDS, LinkageError, Pair, Space, pair_of
 from dhcli.mobility.patterns import count_of, read_chain
 from dhcli.notation.angle import Angle
-from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.regex import regex
 
+_PLACED = regex(r"(\S+)\s+(\S+)\s+(\S+)\s+at\s*[\[(]([^\[\]()]*)[\])]")
+_ARROW = regex(r"\s-+\s|\s*(?:-+>|→)\s*|,\s")
 _SHORT = regex(
     r"(?P<a>\S+)\s+(?P<pair>\S+)\s+(?P<b>\S+)(?:\s+at\s+(?P<point>\S+))?(?:\s+(?:about|along)\s+(?P<axis>\S.*))?"
 )
+
+
+def _hint_for_short(text: str) -> str:
+    """What to write for a joint on one line that is not read: without arrows, and with its point under a name."""
+    if placed := _PLACED.fullmatch(text.strip()):
+        a, pair, b, point = placed.groups()
+        return f"write {{type: {pair}, links: [{a}, {b}], point: [{point}]}}, or name the point under points:"
+    plain = " ".join(_ARROW.sub(" ", text).split())
+    if _has_other_order(plain):
+        pair, a, *rest = plain.split()
+        plain = " ".join((a, pair, *rest))
+    if plain != text.strip() and _SHORT.fullmatch(plain):
+        return f"write {plain}"
+    return "write ground R crank at A, or {type: R, links: [...]}"
+
+
+def _has_other_order(text: str) -> bool:
+    """Whether the joint stands before both links, `R ground crank`, or commas between them."""
+    first, second = [*text.split(), "", ""][:2]
+    return first.endswith(",") or (first in LETTERS and second not in LETTERS and second.lower() not in WORDS)
 
 
 class JointReader:
@@ -66,12 +87,8 @@ class JointReader:
     def short(self, scalar: PlacedScalar, number: str) -> Joint:
         """`ground R crank at A`, `ground P slider along x`."""
         match = _SHORT.fullmatch(scalar.text.strip())
-        if match is None:
-            self.problems.add(
-                scalar.place,
-                f"'{scalar.text}' is not read as a joint",
-                "write ground R crank at A, or {type: R, links: [...]}",
-            )
+        if match is None or _has_other_order(scalar.text):
+            self.problems.add(scalar.place, f"'{scalar.text}' is not read as a joint", _hint_for_short(scalar.text))
             return Joint(LETTERS["R"], ("ground", number), number)
         point, axis = (match[key] and PlacedScalar(match[key], scalar.place) for key in ("point", "axis"))
         pair = self.pair(match["pair"], scalar.place)
@@ -210,7 +227,7 @@ class JointReader:
             if scalar is None:
                 continue
             try:
-                expr = parse(scalar.text, scope, scalar.place_of(0))
+                expr = parsed(scalar, scope)
                 cells[column] = to_angle(expr, bare="refuse") if column in ("alpha", "theta") else to_length(expr)
             except NotationError as error:
                 self.problems.take(error)

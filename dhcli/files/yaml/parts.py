@@ -18,7 +18,7 @@ from dhcli.files.keys.shapes import names, required
 from dhcli.files.yaml.credits import read_credit
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.named import Named
-from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
+from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence, as_text
 from dhcli.files.yaml.tolerances import read_decimals
 from dhcli.files.yaml.typed import MOST_DIGITS, read_flag, read_texts
 from dhcli.frozen import frozen
@@ -177,7 +177,10 @@ class _Besides:
             if "options" not in self.fields:
                 self.problems.add(self.fields.place, "options: is missing", "write options: [its axis, its origin]")
         elif scalar or key not in self.fields:
+            node = self.fields.get("options")
+            options = list(map(as_text, node.items)) if isinstance(node, PlacedSequence) else []
             letter = 1 + ord(typed.lower()) - ord("a") if len(typed) == 1 and typed.isascii() else 0
+            letter = options.index(typed) + 1 if typed in options else letter
             hint = f"write {letter}" if 1 <= letter <= count else f"write 1 to {count}"
             said = f"'{typed}' is not the number of one of the {count} options, counted from 1"
             place = scalar.place if scalar else self.fields.place

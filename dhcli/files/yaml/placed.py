@@ -81,6 +81,15 @@ class PlacedMapping:
 PlacedNode: TypeAlias = PlacedScalar | PlacedSequence | PlacedMapping
 
 
+def as_text(node: PlacedNode) -> str:
+    """A node as the text that it looks like: a list is the matrix or the vector that stands there."""
+    if isinstance(node, PlacedScalar):
+        return node.text
+    if isinstance(node, PlacedSequence):
+        return "[" + ", ".join(map(as_text, node.items)) + "]"
+    return "{" + ", ".join(f"{key.text}: {as_text(value)}" for key, value in node.entries) + "}"
+
+
 def read_yaml(
     text: str, source: str, refused: list[Problem] | None = None, *, spelled: str = "", is_foreign: bool = False
 ) -> PlacedNode:

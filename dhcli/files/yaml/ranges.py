@@ -74,7 +74,7 @@ def read_range(problems: Problems, node: PlacedNode, key: str, *, is_angle: bool
     scalar = problems.scalar(node, key)
     if scalar is None:
         return None
-    written = split_range(scalar.text[:LONGEST])
+    written = split_range(scalar.text[:LONGEST], scalar.place_of)
     low, high, more = written.low, written.high, written.more
     if len(scalar.text) > LONGEST or high is None or more is None or not (low.text and high.text and more.text):
         example = "20°..70° step 5°" if is_angle else "100 mm..200 mm step 10 mm"
@@ -84,7 +84,7 @@ def read_range(problems: Problems, node: PlacedNode, key: str, *, is_angle: bool
         return None
     stepped = written.word == "step"
     pieces = [
-        PlacedScalar(piece.text, scalar.place_of(piece.start), scalar.quoted)
+        PlacedScalar(piece.text, piece.place, scalar.quoted)
         for piece in ((low, high, more) if stepped else (low, high))
     ]
     values = [read_value(problems, piece, key, is_angle=is_angle) for piece in pieces]
@@ -100,7 +100,7 @@ def read_range(problems: Problems, node: PlacedNode, key: str, *, is_angle: bool
     known = [value for value in values if value is not None]
     if stepped:
         return _of_steps(problems, scalar, key, pieces, known)
-    counted = PlacedScalar(more.text, scalar.place_of(more.start))
+    counted = PlacedScalar(more.text, more.place)
     return _of_count(problems, scalar, key, counted, known)
 
 

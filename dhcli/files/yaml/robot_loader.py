@@ -27,6 +27,7 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Expr
 
 ANGLES = ("alpha", "theta", "beta")
+_ROW = "{a: a1, alpha: 90°, d: 0, theta: theta1}"
 _POSES = "{home: [0, 90°, 100 mm]}"
 MOVING = ("links", "axes", "screws", "end", "home", "base", "tool", "tools")
 """Keys under which names of parameters are used."""
@@ -108,7 +109,7 @@ class Loader:
         parameters = reader.read(lambda key: self.is_angle(key, angles))
         turns = {name: name in angles if name in self.clear else None for name in self.variables}
         values = JointValues(turns, self.value, self.places)
-        if not links and "links" in self.fields:
+        if not links and isinstance(self.fields.get("links"), PlacedSequence):
             self.problems.add(self.fields.place_of("links"), "links: a robot has at least one link")
         return {
             "name": self.name,
@@ -130,7 +131,13 @@ class Loader:
 
     def read_links(self, first: int) -> tuple[Link, ...]:
         """The rows, or the products."""
-        return tuple(self.link(node, i, first + i) for i, node in enumerate(self.fields.sequence("links")))
+        nodes = self.fields.sequence("links", f"- {self.link_example}")
+        return tuple(self.link(node, i, first + i) for i, node in enumerate(nodes))
+
+    @property
+    def link_example(self) -> str:
+        """How a link is written."""
+        return "Rot(z, theta1) * Trans(l1, 0, 0)" if self.convention is Convention.PRODUCT else _ROW
 
     def read_poses(self, values: JointValues) -> dict[str, tuple[Value, ...]]:
         """The named poses."""
@@ -206,7 +213,7 @@ class Loader:
             self.problems.add(
                 node.place,
                 f"links: row {index + 1} should be a mapping",
-                "write {a: a1, alpha: 90°, d: 0, theta: theta1}, or convention: product for moves",
+                f"write {self.link_example}, or convention: product for moves",
             )
             return Link(number, ())
         fields = self.problems.mapping(node, "links", known=(*COLUMNS, "beta"), required=required(ROW))

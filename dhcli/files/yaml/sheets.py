@@ -15,7 +15,7 @@ from dhcli.checking.variants import variant_of
 from dhcli.errors import DhcliError, FileError, Place
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.fields import Fields, Problems
-from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
+from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, as_text, read_yaml
 from dhcli.files.yaml.prose import folded
 from dhcli.files.yaml.robot_line import robot_line, values_text
 from dhcli.frozen import frozen
@@ -207,14 +207,4 @@ def _answer(node: PlacedNode) -> Answer:
     place = node.place
     if isinstance(node, PlacedScalar) and place.line and place.text.rstrip().endswith(("|", ">", "|-", ">-")):
         place = Place(place.source, place.line + 1)  # a block begins on the line below
-    return Answer(_text(node).strip(), place)
-
-
-def _text(node: PlacedNode) -> str:
-    if isinstance(node, PlacedScalar):
-        return node.text
-    if isinstance(node, PlacedSequence):
-        return "[" + ", ".join(_text(item) for item in node.items) + "]"
-    if isinstance(node, PlacedMapping):
-        return "{" + ", ".join(f"{key.text}: {_text(value)}" for key, value in node.entries) + "}"
-    raise TypeError(node)
+    return Answer(as_text(node).strip(), place)

@@ -100,6 +100,18 @@ def items_of(node: PlacedNode, count: int = 0, *, are_names: bool = False) -> tu
     return items, _shown((item.text for item in items), "[]")
 
 
+def blanks_between(node: PlacedSequence, count: int) -> tuple[tuple[PlacedScalar, ...], str]:
+    """The items of a list in which blanks or semicolons stand between them, `[0 0 1]`, and that list as it is written.
+
+    Returns:
+        Nothing where there are not so many as there should be.
+    """
+    if len(node.items) != 1 or count <= 1:
+        return (), ""
+    items, shown = items_of(node.items[0], count)
+    return (items, shown) if len(items) == count else ((), "")
+
+
 def with_decimal_points(node: PlacedSequence, count: int) -> tuple[PlacedScalar, ...]:
     """The items of a list in which decimal commas have cut numbers in two, `[-0,5, 1]`: so many as there should be.
 

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-from dhcli.errors import NotationError
+from dhcli.errors import NotationError, Problem
 from dhcli.files.keys.shapes import FLAGS
 from dhcli.files.yaml.fields import Fields, Problems
-from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence
+from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence, as_text
 from dhcli.files.yaml.slips import node_kind
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle
 from dhcli.notation.factors import AXES
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_plain_length, with_unit
 from dhcli.notation.quarters import with_right_angles
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr
+from dhcli.notation.tree import Expr, Trig
+from dhcli.notation.walk import walk
+from dhcli.notation.writer import write_number
 from dhcli.regex import regex
 
 MOST_DIGITS = 3
@@ -25,6 +25,21 @@ _MOVING = "velocities, rates and forces are numbers in ask:, in m/s, rad/s, N an
 _MOVES = "Trans(0, 0, 0.1) Rot(z, 90°)"
 NOTHING = Scope()
 """A scope without names, for values that must be constants."""
+
+
+def parsed(scalar: PlacedScalar, scope: Scope) -> Expr:
+    """The expression of a scalar.
+
+    Raises:
+        NotationError: It is none, or has a sine of 30, which nobody means in radians.
+    """
+    expr = parse(scalar.text, scope, scalar.place_of(0))
+    for node in walk(expr) if "(" in scalar.text else ():
+        if isinstance(node, Trig) and not node.angle.terms and abs(node.angle.radians) > FULL_TURN_IN_RADIANS:
+            typed = write_number(abs(node.angle.radians), MOST_DIGITS)
+            message = f"{node.function} of {typed} does not say what {typed} is"
+            raise NotationError(Problem(message, scalar.place, f"write {typed}° for degrees"))
+    return expr
 
 
 def read_value(  # noqa: PLR0913  what may be said of a value
@@ -49,14 +64,13 @@ def read_value(  # noqa: PLR0913  what may be said of a value
         unit: The unit of a bare length; empty for metres.
     """
     try:
-        expr = parse(scalar.text, scope, scalar.place_of(0))
+        expr = parsed(scalar, scope)
         if not is_angle:
             return to_plain_length(with_unit(expr, unit))
         return to_angle(expr if remarks is None else taken_exactly(expr, key, remarks), bare="refuse")
     except NotationError as error:
         if other := _OTHER_UNIT.fullmatch(scalar.text):
-            wanted = "an angle" if is_angle else "a length"
-            problems.add(scalar.place, f"{key}: is in {other['unit']}, {wanted} is wanted", _MOVING)
+            problems.add(scalar.place, f"{key}: {other['unit']} is no unit of an angle or a length", _MOVING)
         else:
             problems.take(error)
     except DimensionError as error:
@@ -79,16 +93,12 @@ def read_moves(problems: Problems, node: PlacedNode, key: str) -> PlacedScalar |
     rows = [_texts(item) for item in node.items] if isinstance(node, PlacedSequence) else []
     if isinstance(node, PlacedSequence) and rows and all(rows):
         least = min(map(len, rows))
-        rows = [_texts(PlacedSequence(problems.sequence(item, key, count=least), item.place)) for item in node.items]
-        return PlacedScalar(f"[{', '.join(map(_listed, rows))}]", node.place)
+        items = (PlacedSequence(problems.sequence(item, key, count=least), item.place) for item in node.items)
+        return PlacedScalar(as_text(PlacedSequence(tuple(items), node.place)), node.place)
     shift = _texts(node)
     hint = f"write Trans({', '.join(shift)})" if len(shift) == len(AXES) else f"write {_MOVES}"
     problems.add(node.place, f"{key}: should be moves, is {node_kind(node)}", hint)
     return None
-
-
-def _listed(texts: Sequence[str]) -> str:
-    return f"[{', '.join(texts)}]"
 
 
 def _texts(node: PlacedNode) -> list[str]:

@@ -34,6 +34,14 @@ OTHER_WORDS = {
     "joints": "variables",
     "constants": "parameters",
     "lengths": "parameters",
+    "at": "point",
+    "position": "point",
+    "between": "links",
+    "bodies": "links",
+    "along": "axis",
+    "about": "axis",
+    "direction": "axis",
+    "kind": "type",
 }
 """What an author may call a key, where no key of this name stands in the same mapping."""
 

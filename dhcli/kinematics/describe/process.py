@@ -11,7 +11,7 @@ from itertools import pairwise
 from math import pi
 
 from dhcli.frozen import frozen
-from dhcli.geometry.vectors import UNITS, Vector, angle_about, cross, length, plus
+from dhcli.geometry.vectors import UNITS, Vector, angle_about, cross, length, minus
 from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.describe.choices import USUAL, Choices
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line
@@ -129,7 +129,7 @@ def walk(drawing: Drawing, choices: Choices = USUAL) -> Walk:
     last = Along(exact_angle(angle_about(here.z, here.x, end.x)), length_of(rest))
     farthest = max(1.0, *(how_far(leg.normal, ruler) for leg in legs))
     given = (*(line.direction for line in drawing.lines), end.z)
-    bent = max(length(plus(line.direction, was, -1)) for line, was in zip(lines[1:], given, strict=True))
+    bent = max(length(minus(line.direction, was)) for line, was in zip(lines[1:], given, strict=True))
     return Walk(lines, tuple(legs), last, tuple(warnings), farthest, bent)
 
 

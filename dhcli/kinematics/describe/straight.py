@@ -17,10 +17,11 @@ from dataclasses import field, replace
 
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
-from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, across, cross, dot, length, plus, scaled
+from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, across, cross, dot, length, minus, plus, scaled
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, same_direction
 from dhcli.kinematics.describe.exact import CLOSE
+from dhcli.kinematics.entries import small_length
 from dhcli.kinematics.robot import Value
 from dhcli.notation.tree import ONE
 
@@ -49,7 +50,7 @@ class Change:
     def __str__(self) -> str:
         """In words, with its amounts."""
         amounts = [f"turned by {math.degrees(self.turned):.2g}°"] if self.turned else []
-        amounts += [f"shifted by {metres(self.shifted)}"] if self.shifted else []
+        amounts += [f"shifted by {small_length(self.shifted)}"] if self.shifted else []
         return f"{self.joint} is {' and '.join(amounts)}: {self.said}"
 
 
@@ -75,20 +76,12 @@ class Straightened:
         """What was changed, in words."""
         if not self.changes:
             return (f"no axes are nearly parallel, or nearly meet, within {self.within:g} rad: nothing is changed",)
-        known = "".join(f", {name} sliding {metres(most)} at most" for name, most in self.strokes.items())
+        known = "".join(f", {name} sliding {small_length(most)} at most" for name, most in self.strokes.items())
         head = (
             f"straightened within {self.within:g} rad, so not the same robot: over the whole workspace its tip is at "
-            f"most {metres(self.tip)} off, turned by at most {math.degrees(self.turn):.2g}°{known}"
+            f"most {small_length(self.tip)} off, turned by at most {math.degrees(self.turn):.2g}°{known}"
         )
         return (head, *map(str, self.changes))
-
-
-def metres(value: float) -> str:
-    """A small length in words."""
-    for unit, size in (("µm", 1e-6), ("mm", 1e-3)):
-        if value < 1000 * size:
-            return f"{value / size:.3g} {unit}"
-    return f"{value:.3g} m"
 
 
 def check_within(within: float) -> float:
@@ -173,12 +166,12 @@ class _Straight:
         self.hub = None
         if before.through is None:
             return ORIGIN, ""
-        between = plus(before.through.get(ONE, ORIGIN), point, -1)
+        between = minus(before.through.get(ONE, ORIGIN), point)
         if same_direction(before.direction, direction):
             shift = across(between, direction)
             return self.shifted(shift, f"on one line with {_named(before)}")
         if hub is not None:
-            shift = across(plus(hub, point, -1), direction)
+            shift = across(minus(hub, point), direction)
             if length(shift) <= self.close:
                 self.hub = hub
                 return self.shifted(shift, f"through the point where {_named(self.kept[-2])} and {_named(before)} meet")
@@ -200,7 +193,7 @@ class _Straight:
         z, said = self.direction(Line(END, end.z, end.origin))
         turned, gap, here = _between(end.z, z), ORIGIN, end.origin.get(ONE, ORIGIN)
         if last.through is not None and same_direction(last.direction, z):
-            shift = across(plus(last.through.get(ONE, ORIGIN), here, -1), z)
+            shift = across(minus(last.through.get(ONE, ORIGIN), here), z)
             gap, met = self.shifted(shift, f"on one line with {_named(last)}")
             said = " and ".join(part for part in (said, met) if part)
         if turned or length(gap):
@@ -215,7 +208,7 @@ class _Straight:
         tip = amounts[END].shifted if END in amounts else 0.0
         reach, after = 0.0, end.origin.get(ONE, ORIGIN)
         for line, point in zip(reversed(self.drawing.lines), reversed(self.pivots), strict=True):
-            reach, after = reach + length(plus(after, point, -1)), point
+            reach, after = reach + length(minus(after, point)), point
             stroke = self.stroke(line, limits.get(line.name), strokes)
             if change := amounts.get(line.name):
                 tip += change.turned * stroke
@@ -241,14 +234,14 @@ def _pivots(drawing: Drawing) -> list[Vector]:
     for line in drawing.lines:
         if line.through is not None:
             start = line.through.get(ONE, ORIGIN)
-            here = plus(start, line.direction, dot(plus(here, start, -1), line.direction))
+            here = plus(start, line.direction, dot(minus(here, start), line.direction))
         found.append(here)
     return found
 
 
 def _between(u: Vector, v: Vector) -> float:
     """The angle between directions that are nearly the same; 0 where it is a rounding [rad]."""
-    angle = math.asin(min(1.0, length(cross(u, plus(v, u, -1)))))
+    angle = math.asin(min(1.0, length(cross(u, minus(v, u)))))
     return angle if angle > CLOSE else 0.0
 
 

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.frozen import frozen
-from dhcli.kinematics.inverse.polishing import cross, motion
+from dhcli.geometry.twists import cross
+from dhcli.kinematics.inverse.polishing import motion
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Arm, Array

@@ -29,6 +29,7 @@ from dhcli.kinematics.inverse.derive_terms import Atom, Coefficients, Knowledge,
 from dhcli.kinematics.inverse.derive_values import poses_proved
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.notation.tree import Expr, Number, Sum, Symbol, add, multiply, negate, number
+from dhcli.notation.walk import unknowns
 
 _MOST = 16
 """Equations in one unknown that are tried with each other."""
@@ -116,7 +117,7 @@ def _next(
     """SLIDE, BOTH, RATIO, ZERO, ONE and SQUARES, in this order."""
     by_atom: dict[Atom, list[Found]] = {}
     for one in found:
-        atom = known.atom((one.left, one.right))
+        atom = known.atom(one.unknowns)
         if atom is not None and (k := difference(one, atom, known)) is not None:
             by_atom.setdefault(atom, []).append((one, k))
     for atom, own in by_atom.items():
@@ -220,7 +221,7 @@ def _one(by_atom: Mapping[Atom, list[Found]], points: Points) -> Step | None:
 def _squares(known: Knowledge, found: Sequence[Squared], points: Points) -> Step | None:
     made = []
     for level, left, right in found:
-        atom = known.atom(right)
+        atom = known.atom(unknowns(*right))
         if atom is None or not all(map(known.is_known, left)):
             continue
         step = squared(level, left, right, atom, known)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cached_property
 
 from dhcli.frozen import frozen
 from dhcli.kinematics.forward import textbook_form
@@ -10,8 +11,8 @@ from dhcli.kinematics.frames import between
 from dhcli.kinematics.inverse.derive_terms import length
 from dhcli.kinematics.moves import Chain, Fixed, Rot, angle_names, inverse
 from dhcli.kinematics.robot import Robot
-from dhcli.notation.tree import ZERO, Expr, Symbol, add, power
-from dhcli.notation.walk import symbols, symbols_in
+from dhcli.notation.tree import ZERO, Expr, Symbol, Trig, add, power
+from dhcli.notation.walk import symbols, symbols_in, unknowns
 
 POSITION = ("px", "py", "pz")
 ROTATION = tuple(f"r{i}{j}" for i in "123" for j in "123")
@@ -35,6 +36,11 @@ class Equation:
     left: Expr
     right: Expr
     squared: bool = False
+
+    @cached_property
+    def unknowns(self) -> frozenset[Symbol | Trig]:
+        """What may be unknown in it."""
+        return unknowns(self.left, self.right)
 
 
 def asked_pose() -> Fixed:

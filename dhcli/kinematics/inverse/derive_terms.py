@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TypeAlias
@@ -10,7 +10,7 @@ from typing import TypeAlias
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ONE, ZERO, Expr, Power, Product, Sum, Symbol, Trig, add, multiply, negate
 from dhcli.notation.trig import cosine, sine
-from dhcli.notation.walk import walk
+from dhcli.notation.walk import children, walk
 
 Terms: TypeAlias = tuple[tuple[str, Fraction], ...]
 """Names and multiples of a sum of angles."""
@@ -38,23 +38,20 @@ class Knowledge:
         """The part of an angle that is unknown."""
         left = {name: factor for name, factor in angle.terms if name in self.unknown}
         for known in self.sums:
-            for sign in (1, -1):
-                if all(left.get(name) == sign * factor for name, factor in known):
-                    for name, _ in known:
-                        del left[name]
-                    break
+            if _sign(known, left):
+                for name, _ in known:
+                    del left[name]
         return tuple(sorted(left.items()))
 
-    def atom(self, exprs: Iterable[Expr]) -> Atom | None:
-        """The one unknown that stands in expressions; None if there is none, or more than one."""
+    def atom(self, among: Iterable[Symbol | Trig]) -> Atom | None:
+        """The one unknown among names, cosines and sines; None if there is none, or more than one."""
         whole, parts, slides = set[Terms](), set[Terms](), set[str]()
-        for expr in exprs:
-            for node in walk(expr):
-                if type(node) is Symbol and node.name in self.unknown:
-                    slides.add(node.name)
-                elif type(node) is Trig and (part := self.unknown_terms(node.angle)):
-                    whole.add(positive(node.angle.terms))
-                    parts.add(positive(part))
+        for node in among:
+            if type(node) is Symbol and node.name in self.unknown:
+                slides.add(node.name)
+            elif type(node) is Trig and (part := self.unknown_terms(node.angle)):
+                whole.add(positive(node.angle.terms))
+                parts.add(positive(part))
         if slides:
             return slides.pop() if len(slides) == 1 and not parts else None
         if len(whole) == 1:
@@ -96,7 +93,7 @@ def name_of(atom: Atom) -> str:
 
 def length(expr: Expr) -> int:
     """How long an expression is: its nodes."""
-    return sum(1 for _ in walk(expr))
+    return 1 + sum(map(length, children(expr)))
 
 
 def positive(terms: Terms) -> Terms:
@@ -147,11 +144,16 @@ def _holds(expr: Expr, atom: Atom, known: Knowledge) -> bool:
 
 def _multiple(angle: Angle, atom: Terms) -> int:
     """1 or -1 if the angle is the unknown or its opposite, with known angles beside it; else 0."""
-    held = dict(angle.terms)
-    for sign in (1, -1):
-        if all(held.get(name) == sign * factor for name, factor in atom):
-            return sign
-    return 0
+    return _sign(atom, dict(angle.terms))
+
+
+def _sign(terms: Terms, held: Mapping[str, Fraction]) -> int:
+    """1 or -1 if terms stand among others, all as they are or all with the opposite sign; else 0."""
+    if any(name not in held for name, _ in terms):
+        return 0
+    if all(held[name] == factor for name, factor in terms):
+        return 1
+    return -1 if all(held[name] == -factor for name, factor in terms) else 0
 
 
 def _of_trig(expr: Trig, atom: Atom) -> Coefficients | None:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from dhcli.errors import joined
 from dhcli.frozen import frozen
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.inverse.motions import POINT
@@ -50,7 +51,7 @@ class Explanation:
 def explained(found: Solutions) -> Explanation:
     """How solutions were found, and what keeps some of them out."""
     if found.ready is None:
-        together = _listed(found.robot.variables)
+        together = joined(found.robot.variables)
         led = f"{together}: by Newton's steps from many places; what arrives is kept, each solution once"
         return Explanation((), (), (led,), tuple(_limits(found)))
     plan = found.ready.plan
@@ -70,12 +71,12 @@ def _step(ready: Prepared, step: Step, names: Sequence[str]) -> str:
     match step:
         case One():
             things = dict.fromkeys(thing for e in step.equations for thing in _things(e, names))
-            return f"{names[step.joint]}: {_KINDS[step.kind]}" + (f"; by {_listed(tuple(things))}" if things else "")
+            return f"{names[step.joint]}: {_KINDS[step.kind]}" + (f"; by {joined(things)}" if things else "")
         case Two():
             pair = f"{names[step.joint]} from two equations that hold {_name(names, step.other)} too"
             return f"{pair}: at most 8 values, roots of one polynomial"
         case All():
-            three = _listed([_name(names, j) for j in step.joints])
+            three = joined([_name(names, j) for j in step.joints])
             most = "at most 16 values, eigenvalues" if ready.arm.joints > 5 else "eigenvalues"  # noqa: PLR2004
             return f"{three} at once from fourteen equations: {most}"
 
@@ -94,10 +95,6 @@ def _things(equation: Equation, names: Sequence[str]) -> Iterator[str]:
 
 def _name(names: Sequence[str], joint: int) -> str:
     return names[joint] if joint < len(names) else "a motion that the task leaves free"
-
-
-def _listed(words: Sequence[str]) -> str:
-    return " and ".join(filter(None, (", ".join(words[:-1]), *words[-1:])))
 
 
 def _limits(found: Solutions) -> Iterator[str]:

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhcli.geometry.twists import cross
+
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Arm, Array, Axis, Ints
     from dhcli.kinematics.inverse.tasks import Task
@@ -33,13 +35,6 @@ _RANK = 1e-11
 
 _LONGEST = 0.5
 """No step moves a joint by more [rad, reaches]."""
-
-
-def cross(one: Array, other: Array) -> Array:
-    """The vector product of vectors in the last place, shape (..., 3); numpy's own takes long for a few of them."""
-    x, y, z = one[..., 0], one[..., 1], one[..., 2]
-    u, v, w = other[..., 0], other[..., 1], other[..., 2]
-    return np.stack([y * w - z * v, z * u - x * w, x * v - y * u], axis=-1)
 
 
 _ROOTS = np.sqrt([2.0, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53])

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhcli.kinematics.inverse.polishing import cross, motion, product
+from dhcli.geometry.twists import cross
+from dhcli.kinematics.inverse.polishing import motion, product
 from dhcli.kinematics.inverse.prepared import Prepared
 
 if TYPE_CHECKING:

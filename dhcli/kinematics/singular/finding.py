@@ -8,7 +8,7 @@ from itertools import product as every
 
 from dhcli.algebra.arithmetic import CannotHoldError
 from dhcli.algebra.equality import equal
-from dhcli.errors import RobotError
+from dhcli.errors import RobotError, joined
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.recorded import kept
 from dhcli.kinematics.robot import Robot, check_robot
@@ -21,7 +21,7 @@ from dhcli.kinematics.singular.result import MOST_JOINTS, Factor, Singularities
 from dhcli.kinematics.singular.square import factored
 from dhcli.kinematics.singular.task import arm_of, number_of, place_of, put_back, task_of, task_rows
 from dhcli.kinematics.singular.vanishing import fresh, here_and_elsewhere, right_angles, variables_of
-from dhcli.kinematics.singular.words import Geometry, Place, listed
+from dhcli.kinematics.singular.words import Geometry, Place
 from dhcli.kinematics.values import Values, given_parameters
 from dhcli.kinematics.velocity import cramer
 from dhcli.kinematics.velocity.form import GEOMETRIC, Which, check_part
@@ -160,7 +160,7 @@ def _described(
     geometry = Geometry(*points, place, numbers)
     part, dependent = geometry.moving_alike(kept)
     names = tuple(arm.joints[j] for j in dependent)
-    together = f"the columns of {listed(names)} become dependent" if names else ""
+    together = f"the columns of {joined(names)} become dependent" if names else ""
     words = next(geometry.sentences(dependent), together)
     if len(zeros) > 1:
         words = _one_by_one(arm, point, place, simple) or words

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from dhcli.algebra.arithmetic import CannotHoldError
+from dhcli.errors import joined
 from dhcli.kinematics.forward import put_in
 from dhcli.kinematics.frames import ORIGIN, between
 from dhcli.kinematics.moves import Chain, Move, Rot, Trans
@@ -16,7 +17,7 @@ from dhcli.kinematics.singular.modular import rank
 from dhcli.kinematics.singular.result import Factor, Singularities
 from dhcli.kinematics.singular.square import best_places
 from dhcli.kinematics.singular.vanishing import fresh
-from dhcli.kinematics.singular.words import Place, listed
+from dhcli.kinematics.singular.words import Place
 from dhcli.kinematics.values import Values
 from dhcli.kinematics.velocity.form import Form, Which
 from dhcli.kinematics.velocity.jacobian import moving_joints
@@ -88,7 +89,7 @@ def place_of(point: Point, kept: Sequence[int]) -> Place:
     if still == list(range(len(arm.joints)))[-3:]:
         return Place(place, "the wrist centre")
     if len(still) > 1:
-        return Place(place, f"the point where axes {listed(number_of(arm, j) for j in still)} meet")
+        return Place(place, f"the point where axes {joined(number_of(arm, j) for j in still)} meet")
     frame = arm.frame_at(place)
     return Place(place, f"the origin of frame {frame}" if frame.isdigit() else name)
 

@@ -6,9 +6,10 @@ elsewhere; nothing is known of the names of robots.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import combinations
 
+from dhcli.errors import joined
 from dhcli.frozen import frozen
 from dhcli.kinematics.singular.arm import Point, Triple, alike, in_line, in_plane, volume
 from dhcli.kinematics.singular.modular import Table, cross, dot, minus, null_space
@@ -20,12 +21,6 @@ class Place:
 
     place: int
     words: str
-
-
-def listed(names: Iterable[object]) -> str:
-    """`4`, `4 and 6`, `2, 3 and 4`."""
-    *before, last = map(str, names)
-    return f"{', '.join(before)} and {last}" if before else last
 
 
 class Geometry:
@@ -72,12 +67,12 @@ class Geometry:
         """The point moved along one line by two joints, or in one plane by three."""
         for i, j in combinations(joints, 2):
             if self.becomes(lambda at, i=i, j=j: not any(self._normal(at, i, j))):  # type: ignore[misc]
-                yield f"joints {listed((self.numbers[i], self.numbers[j]))} move {self.place.words} along one line"
+                yield f"joints {joined((self.numbers[i], self.numbers[j]))} move {self.place.words} along one line"
         for i, j, k in combinations(joints, 3):
             if self.becomes(
                 lambda at, i=i, j=j, k=k: not dot(self._normal(at, i, j), self._moved(at, k), at.field.prime)  # type: ignore[misc]
             ):
-                yield f"joints {listed(self.numbers[n] for n in (i, j, k))} move {self.place.words} in one plane"
+                yield f"joints {joined(self.numbers[n] for n in (i, j, k))} move {self.place.words} in one plane"
 
     def _moved(self, at: Point, joint: int) -> Triple:
         return at.velocity(joint, self._point(at))
@@ -86,7 +81,7 @@ class Geometry:
         return cross(self._moved(at, i), self._moved(at, j), at.field.prime)
 
     def _axes(self, *joints: int) -> str:
-        return f"axes {listed(self.numbers[j] for j in joints)}"
+        return f"axes {joined(self.numbers[j] for j in joints)}"
 
     def _in_line(self, pairs: Sequence[tuple[int, int]]) -> Iterator[str]:
         for i, j in pairs:

@@ -49,14 +49,6 @@ class Over:
     count: int | None = None
 
 
-@frozen
-class _Piece:
-    """A part of a range, without the blanks around it, and where it stands."""
-
-    text: str
-    place: Place
-
-
 def read_over(robot: Robot, text: str, *, bare: Literal["rad", "deg"] = "rad", place: Place | None = None) -> Over:
     """Read what one joint is swept over.
 
@@ -72,24 +64,25 @@ def read_over(robot: Robot, text: str, *, bare: Literal["rad", "deg"] = "rad", p
     """
     whole = Place(place.source if place else "range", text=text)
     head, equals, _ = text.partition("=")
-    name = _placed(Piece(head.strip(), len(head) - len(head.lstrip())), whole)
+    before = len(head) - len(head.lstrip())
+    name = Piece(head.strip(), _at(before, whole))
     if not name.text:
         raise NotationError(Problem("a joint is missing here", whole, "write theta1=-90°..90° step 5°"))
     if not equals and ".." in name.text:
         raise NotationError(Problem("there is no = in this range", whole, "write theta1=-90°..90° step 5°"))
     if not equals and (of_limits := _OF_LIMITS.fullmatch(name.text)):
-        at = (name.place.column or 1) - 1 + of_limits.start("count")
         joint = joint_called(robot, of_limits["name"], name.place)
-        return Over(joint, count=_count(joint, _placed(Piece(of_limits["count"], at), whole)))
+        return Over(
+            joint, count=_count(joint, Piece(of_limits["count"], _at(before + of_limits.start("count"), whole)))
+        )
     joint = joint_called(robot, name.text, name.place)
     if not equals:
         return Over(joint)
-    written = split_range(text, len(head) + 1)
-    low = _placed(written.low, whole)
-    if written.high is None:
+    written = split_range(text, lambda at: _at(at, whole), len(head) + 1)
+    low, high, more = written.low, written.high, written.more
+    if high is None:
         value = _value(robot, joint, low, bare)
         return Over(joint, value, value, 1)
-    high, more = _placed(written.high, whole), None if written.more is None else _placed(written.more, whole)
     pieces = [low, high, more] if more is not None and written.word == "step" else [low, high]
     values = [_value(robot, joint, piece, bare) for piece in pieces]
     _check_units(pieces)
@@ -109,11 +102,12 @@ def counted(count: int) -> str:
     return f"{count:,}" if digits <= 18 else f"about 10^{digits - 1}"  # noqa: PLR2004  a quintillion is read
 
 
-def _placed(piece: Piece, whole: Place) -> _Piece:
-    return _Piece(piece.text, Place(whole.source, None, piece.start + 1, whole.text))
+def _at(offset: int, whole: Place) -> Place:
+    """The place of one character of a range."""
+    return Place(whole.source, None, offset + 1, whole.text)
 
 
-def _value(robot: Robot, joint: str, piece: _Piece, bare: Bare) -> Value:
+def _value(robot: Robot, joint: str, piece: Piece, bare: Bare) -> Value:
     example = f"{joint}=-90°..90° step 5°" if joint in robot.angles else f"{joint}=0..0.2 n 11"
     if not piece.text:
         raise NotationError(Problem("a value is missing here", piece.place, f"write {example}"))
@@ -133,12 +127,12 @@ def _value(robot: Robot, joint: str, piece: _Piece, bare: Bare) -> Value:
     return value
 
 
-def _count(joint: str, piece: _Piece) -> int:
+def _count(joint: str, piece: Piece) -> int:
     count = read_count(piece.text, piece.place, f"{joint}=...")
     return _checked(joint, count, piece.place)
 
 
-def _in_steps(joint: str, pieces: Sequence[_Piece], values: Sequence[Value]) -> Over:
+def _in_steps(joint: str, pieces: Sequence[Piece], values: Sequence[Value]) -> Over:
     """The values from the first in steps, as far as they stay in the range; its end is one if a step ends there."""
     first, last, step = values
     low, high, by = (piece.text for piece in pieces)
@@ -166,7 +160,7 @@ def _checked(joint: str, count: int, where: Place) -> int:
     return count
 
 
-def _check_units(pieces: Sequence[_Piece]) -> None:
+def _check_units(pieces: Sequence[Piece]) -> None:
     """Refuse `-90..90°` and `0°..90`: nobody knows what the bare number was meant in. 0 is 0, and π is radians."""
     with_unit = {piece for piece in pieces if units_in(piece.text)}
     if not with_unit:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import field
 from typing import Generic, TypeAlias, TypeVar, Unpack
 
-from dhcli.algebra.arithmetic import plus, settled, times
+from dhcli.algebra.arithmetic import settled, sum_of_products
 from dhcli.algebra.terms import TERMS
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
@@ -132,7 +132,10 @@ def numeric_torques(robot: Robot, values: Values, view: MotionView, wrench: Wren
     """The torques at known values, without numpy; see `torques`."""
     found = numeric_jacobian(robot, values, view)
     return _borne(
-        robot, found, wrench, tuple(float(product(column, wrench.six)) for column in zip(*found.rows, strict=True))
+        robot,
+        found,
+        wrench,
+        tuple(float(sum_of_products(column, wrench.six)) for column in zip(*found.rows, strict=True)),
     )
 
 
@@ -147,21 +150,13 @@ def _borne(robot: Robot, found: Jacobian[N], wrench: Wrench[N], values: tuple[N,
     return Torques(values, found.joints, tuple(kinds[n] for n in found.joints), wrench, found.view, robot.writing)
 
 
-def product(row: Sequence[N | int], column: Sequence[N | int]) -> N | int:
-    """A sum of products in which structural integers cost nothing."""
-    total: N | int = 0
-    for a, b in zip(row, column, strict=True):
-        total = plus(total, times(a, b))
-    return total
-
-
 def products(rows: Iterable[Sequence[Expr]], column: Sequence[Expr]) -> tuple[Expr, ...]:
     """Each of some rows times a column, in terms; their zeros cost nothing."""
 
     def plain(entries: Sequence[Expr]) -> tuple[Expr | int, ...]:
         return tuple(0 if entry == ZERO else entry for entry in entries)
 
-    return tuple(settled(product(plain(row), plain(column)), TERMS) for row in rows)
+    return tuple(settled(sum_of_products(plain(row), plain(column)), TERMS) for row in rows)
 
 
 def three_numbers(given: Sequence[float], what: str) -> Triple[float]:

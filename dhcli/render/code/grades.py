@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from typing import Any
 
 from dhcli.checking.verdicts import Verdict
@@ -19,14 +18,14 @@ _VISIBLE = {"visibility": "visible", "output_format": "text"}
 
 def class_csv(report: ClassReport, _look: Look) -> str:
     """One line for each sheet, two columns for each part; what students wrote is made harmless."""
-    parts = list(dict.fromkeys(part.part for part in report.parts))
-    heads = [csv_cell(f"{part} {what}") for part in parts for what in ("verdict", "earned")]
+    columns = {part: at for at, part in enumerate(dict.fromkeys(part.part for part in report.parts))}
+    heads = [csv_cell(f"{part} {what}") for part in columns for what in ("verdict", "earned")]
     lines = [csv_line(["student", "sheet", "exercise", "variant", *heads, "earned", "credit", "problem"])]
     for row in report.rows:
         said = [csv_cell(text) for text in (row.student, row.sheet, row.exercise, row.variant)]
         sums = [_number(row.earned), _number(row.credit)] if row.parts else ["", ""]
         problems = csv_cell("; ".join(str(problem) for problem in row.problems))
-        lines.append(csv_line([*said, *_part_cells(row, parts), *sums, problems]))
+        lines.append(csv_line([*said, *_part_cells(row, columns), *sums, problems]))
     return "".join(lines)
 
 
@@ -74,11 +73,12 @@ def gradescope(report: ClassReport, _look: Look) -> str:
     return json.dumps(result, indent=2) + "\n"
 
 
-def _part_cells(row: Graded, parts: list[str]) -> Iterator[str]:
-    grades = {grade.part: grade for grade in row.parts}
-    for part in parts:
-        grade = grades.get(part)
-        yield from (grade.verdict.word, _number(grade.earned)) if grade else ("", "")
+def _part_cells(row: Graded, columns: dict[str, int]) -> list[str]:
+    cells = [""] * 2 * len(columns)
+    for grade in row.parts:
+        at = 2 * columns[grade.part]
+        cells[at : at + 2] = grade.verdict.word, _number(grade.earned)
+    return cells
 
 
 def _row_content(row: Graded) -> dict[str, Any]:

@@ -6,8 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from dhcli.files.rows import INDEX as _INDEX
-from dhcli.files.rows import POSITION
-from dhcli.files.rows.posecolumns import MATRIX, TURNS
+from dhcli.files.rows import MATRIX, POSITION, TURNS
 from dhcli.geometry.euler import AXES
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.placement import FORMS

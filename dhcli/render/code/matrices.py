@@ -122,8 +122,9 @@ def csv_rows(rows: Sequence[Sequence[Expr | float]], joints: Joints, look: Look)
 
 def csv_line(cells: Iterable[str]) -> str:
     """One line of a CSV file, cells quoted where they need it; what somebody else wrote is a `csv_cell` before."""
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerow(map(one_line, cells))
+    text, cells = io.StringIO(), list(cells)
+    is_plain = "".join(cells).isprintable()  # as nearly every line is, which may have many cells
+    csv.writer(text, lineterminator="\n").writerow(cells if is_plain else map(one_line, cells))
     return text.getvalue()
 
 

@@ -25,7 +25,7 @@ _LITERAL = regex(r"""(`[^`]*`|"[^"\n]*"|(?<=\()/(?:[^/\n\\[]|\\.|\[[^\]]*\])+/\w
 """A text or a pattern inside a script; no script has `+ +` or `- -`, where a blank would mean something."""
 
 _MATHS = regex(r"\bMath\.(\w+)")
-_BLANKS = regex(r" *([-=+*/%<>,?:&|!{}();\[\]]+) *")
+_BLANKS = regex(r" +(?=[-=+*/%<>,?:&|!{}();\[\]])|(?<=[-=+*/%<>,?:&|!{}();\[\]]) +")
 _INDEX = regex(r"_(?:\{([^}]*)\}|(\w))")
 """An index as a terminal writes it: `a_i`, `a_{i-1}`."""
 
@@ -119,7 +119,7 @@ def _script(name: str) -> str:
     lines = (line.strip() for line in _read(f"{name}.js").splitlines())
     kept = [line.split(" // ")[0] for line in lines if line and not line.startswith("//")]
     pieces = _LITERAL.split("\n".join(kept))
-    pieces[::2] = [_BLANKS.sub(r"\1", code) for code in pieces[::2]]  # between the literals, which stay as they are
+    pieces[::2] = [_BLANKS.sub("", code) for code in pieces[::2]]  # between the literals, which stay as they are
     return "".join(pieces)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from typing import Any
 
 from dhcli.checking.credit import plain
@@ -99,14 +99,25 @@ def marks_content(marked: SheetMark, _look: Look) -> dict[str, Any]:
     }
 
 
-def question_text(exercise: Exercise, part: Part, paper: Paper, *, whole: bool = False) -> str:
-    """What a part asks, for a person who is about to answer; the whole of it for one who sees the solution."""
+def question_text(
+    exercise: Exercise, part: Part, paper: Paper, *, whole: bool = False, known: Container[str] = ()
+) -> str:
+    """What a part asks, for a person who is about to answer; the whole of it for one who sees the solution.
+
+    Args:
+        exercise: The exercise.
+        part: The part.
+        paper: Where it is written.
+        whole: Whether all is told.
+        known: Notes that this person has seen, and that are left out.
+    """
     whole = whole or not part.prompt.strip()
     asked = part.question.describe(exercise) if whole else part.prompt.strip()
     text = " · ".join(filter(None, (f"{part.id}: {asked}", worth(exercise, part))))
+    notes = [note for note in part.question.notes(exercise) if note not in known]
     lines = [paper.ink(line, "bold") for line in prose_lines(text, paper)]
     lines += prose_lines(part.prompt.strip() if whole else part.form(exercise), paper)
-    lines += [line for note in part.question.notes(exercise) for line in prose_lines(note, paper)]
+    lines += [line for note in notes for line in prose_lines(note, paper)]
     for n, option in enumerate(part.question.statements, 1):
         lines += prose_lines(option, paper, f"  {n}: ", "     ")
     return "\n".join(lines) + "\n"
@@ -175,7 +186,8 @@ def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
 def _partial_credit(one: PartMark) -> str:
     """The credit of a part that is not solved and earned some all the same; so the sum below can be followed."""
     share, credit = one.mark.earned, one.part.credit
-    if one.mark.verdict.passed is True or not share or not credit:
+    is_told = share or one.mark.verdict is Verdict.ROUNDED  # which earns all, as a rule
+    if one.mark.verdict.passed is True or not is_told or not credit:
         return ""
     if share == 1:
         kept = "credit kept" if one.mark.diagnosis and one.mark.diagnosis.follows else "full credit"

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import pytest
-
 from dhcli.checking.judge import Judge
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.files.yaml.exercises import read_exercise
@@ -59,7 +57,7 @@ def test_the_words_of_one_statement_are_its_number(answer: str, number: int) -> 
     assert f"{number}: " in str(mark)
 
 
-@pytest.mark.parametrize("answer", ["", "6", "0", "maybe", "the axes", "singular pose", "90°", "1: the axes meet", "z"])
+@row_by_row("answer", ["", "6", "0", "maybe", "the axes", "singular pose", "90°", "1: the axes meet", "z"])
 def test_words_that_fit_none_or_several_are_not_guessed_at(answer: str) -> None:
     """Neither is a number whose words are those of another statement."""
     assert judged(answer).verdict in (Verdict.CANNOT_READ, Verdict.SKIPPED)

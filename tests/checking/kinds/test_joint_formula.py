@@ -6,10 +6,11 @@ from dataclasses import replace
 
 import pytest
 
-from dhcli.checking.judge import Judge
+from dhcli.checking.judge import Judge, check
 from dhcli.checking.kinds.made import question_about
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, NotationError
+from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.robot import Robot
 
@@ -163,6 +164,27 @@ def test_a_slip_has_its_name_in_whatever_form(answer: str, name: str) -> None:
     mark = judged(answer)
     assert mark.diagnosis is not None
     assert name in mark.diagnosis.ids
+
+
+@pytest.mark.parametrize(
+    ("exercise", "part", "answer", "name"),
+    [
+        ("planar", "shoulder", "atan2(px, py) - atan2(a2*s2, a1 + a2*c2)", "atan2-swapped theta1"),
+        ("planar", "shoulder", "atan2(py, px) - atan2(a1 + a2*c2, a2*s2)", "atan2-swapped theta1 2"),
+        ("planar", "shoulder", "atan2(-py, px) - atan2(a2*s2, a1 + a2*c2)", "atan2-sign-of-sine theta1"),
+        ("planar", "shoulder", "atan2(py, -px) - atan2(a2*s2, a1 + a2*c2)", "atan2-sign-of-cosine theta1"),
+        ("planar", "shoulder", "atan2(py, px) - atan2(a2*s2, -a1 - a2*c2)", "atan2-sign-of-cosine theta1 2"),
+        ("planar", "shoulder", "atan2(py, px) - atan2(-a2*s2, a1 + a2*c2)", "angle-sign theta1"),
+        ("articulated", "theta1", "atan2(-py, px), atan2(py, -px)", "atan2-sign theta1"),
+        ("wrist", "theta4", "atan2(-r23, r13), or 180° more", "atan2-sign theta4"),
+    ],
+)
+def test_signs_and_order_in_each_arctangent_have_a_name(exercise: str, part: str, answer: str, name: str) -> None:
+    """One name, also where a formula holds two of them."""
+    kind = "angles" if exercise == "wrist" else "joints"
+    mark = check(load_exercise(f"inverse/{exercise}-{kind}"), part, answer)
+    assert mark.diagnosis is not None
+    assert mark.diagnosis.ids == (name,)
 
 
 @pytest.mark.parametrize(

@@ -191,6 +191,15 @@ def test_the_branch_asked_for_counts() -> None:
     assert "elbow down" in other.remarks[0]
 
 
+@pytest.mark.parametrize("answer", ["67.9757°, 2.4773°", "-67.9757°, 59.4502°"])
+def test_joint_values_in_another_order_have_a_name(answer: str) -> None:
+    """On either branch."""
+    mark = judged(answer)
+    assert mark.verdict is Verdict.WRONG
+    assert mark.diagnosis is not None
+    assert mark.diagnosis.ids == ("joints-swapped theta1 theta2",)
+
+
 @pytest.mark.parametrize("answer", ["2.4773°, 70.453°", "59.4502°, -8.5175°"])
 def test_an_angle_that_is_that_of_the_link_itself_has_a_name(answer: str) -> None:
     """Theta1 + theta2 for theta2, on either branch."""

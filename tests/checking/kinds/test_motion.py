@@ -237,7 +237,7 @@ def test_a_question_that_cannot_be_asked_is_refused(ask: str, problem: str) -> N
     assert problem in str(error.value)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("ask", "answer", "remark"),
     [
         ("jacobian linear of 0..2", "[1 2; 3 4]", "the answer is 2x2; a 3x2 matrix was asked"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from pathlib import Path
 from random import Random
@@ -154,6 +155,22 @@ def test_what_stands_for_something_else_of_the_robot_is_named(ask: str, answer: 
     assert found is not None
     assert found.names == (words,)
     assert "(1,1)" not in " ".join(found.hints)
+
+
+@pytest.mark.parametrize(
+    ("answer", "words"),
+    [
+        ("[0.4679 -0.2989; -0.3364 -0.0261; 0 0; 0 0; 0 0; -1 1]", "column 1 has the opposite sign"),
+        ("[-0.4679 0.2989; 0.3364 0.0261; 0 0; 0 0; 0 0; 1 1]", "rows 1 to 3 of column 2 have the opposite sign"),
+        ("[-0.4679 -0.2989; 0.3364 -0.0261; 0 0; 0 0; 0 0; 1 -1]", "the sign of entry (6,2) is turned round"),
+    ],
+)
+def test_a_column_that_is_turned_round_is_named_in_numbers(answer: str, words: str) -> None:
+    """As a whole, or its v alone; one entry is that entry's sign."""
+    judge = asked("planar-2r", "jacobian of 0..2", (math.radians(25), math.radians(70)))
+    found = judge.check(judge.exercise.parts[0], answer).diagnosis
+    assert found is not None
+    assert found.names == (words,)
 
 
 def test_a_slip_is_named_by_the_digits_typed() -> None:

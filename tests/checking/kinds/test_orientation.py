@@ -88,7 +88,7 @@ def test_any_numbers_that_say_the_rotation_are_right(form: str, answer: str) -> 
     assert judged(form, answer).verdict is Verdict.RIGHT
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("form", "answer", "remark"),
     [
         ("rpy", "1.534430, 0.008369, -1.911792", "right in radians"),

@@ -52,7 +52,7 @@ def test_an_angle_by_an_inverse_function_is_shown_in_degrees() -> None:
     assert expected(*exercise_of("scalar atan2(a2, a1)")) == "atan2(a2, a1)"
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("answer", "verdict"),
     [
         ("Rot(z, theta1) Trans(a1, 0, 0)", RIGHT),

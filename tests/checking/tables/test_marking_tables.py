@@ -159,7 +159,7 @@ def test_a_single_row_of_letters_is_a_row_and_not_its_heads() -> None:
         (changed(PUMA, "a3  d4", "a3  d9"), "d9 is not a name that is known here"),
         (changed(PUMA, "a3  d4", "90°  d4"), "row 4, a: 90°: deg is a unit of angle, a length is wanted"),
         (changed(PUMA, "a3  d4", "a3  theta4"), "row 4, d: theta4 is an angle, and this column holds lengths"),
-        (changed(PUMA, "d4  θ4", "d4  a2"), "row 4, theta: a2 is a length, and this column holds angles"),
+        (changed(PUMA, "d4  θ4", "d4  a2"), "this column holds angles; the columns are alpha, a, d, theta"),
         (changed(PUMA, "d4  θ4", "d4  30mm"), "row 4, theta: 30mm: mm is a unit of length"),
         (changed(PUMA, "d4  θ4", "d4  0"), "theta4: in no row; the theta cell of a joint holds its variable"),
         (changed(PUMA, "d4  θ4", "d4  θ3"), "row 4, theta: theta3 stands in row 3, theta too"),

@@ -215,8 +215,8 @@ def test_tables_come_between_any_signs(text: str) -> None:
     assert gap(robot, [0.3, 0.5], standard(0.3, 0, 0.4, math.pi / 2) @ standard(0.5, 0, 0.3, 0)) < 1e-15
 
 
-@pytest.mark.parametrize("first", ["1", "0", "Gelenk 1", "0-1", "L1"])
-@pytest.mark.parametrize(
+@row_by_row("first", ["1", "0", "Gelenk 1", "0-1", "L1"])
+@row_by_row(
     ("head", "sign"),
     [("Gelenk", " | "), ("Gelenk (i)", " | "), ("", "| "), ("Segment", "\t"), ("", "\t"), ("i", ", "), ("", ",")],
 )
@@ -243,6 +243,19 @@ def test_other_numbers_under_a_head_that_is_not_known_are_told(texts: tuple[str,
     rows = "".join(f"{text},1,0,0,q{i}\n" for i, text in enumerate(texts, 1))
     with pytest.raises(FileError, match=r"x:1:1: mass is no column"):
         imported(f"mass,a,alpha,d,theta\n{rows}", convention="standard")
+
+
+def test_a_table_in_a_paper_has_units_stars_and_rules() -> None:
+    """And text around it with signs of its own."""
+    robot = of_file("foreign/scara.tex").copy(parameters={"l2": 0.21})
+    rows = [
+        standard(0.3, 0.32, 0.25, 0),
+        standard(-0.5, 0, 0.21, math.pi),
+        standard(0, 0.1, 0, 0),
+        standard(0.7, 0.06, 0, 0),
+    ]
+    assert (robot.variables, robot.convention) == (("theta1", "theta2", "d3", "theta4"), Convention.STANDARD)
+    assert gap(robot, [0.3, -0.5, 0.1, 0.7], np.linalg.multi_dot(rows)) < 1e-15
 
 
 @pytest.mark.parametrize("ends", [("", ""), ("\\hline ", ""), ("  ", "[2pt]  \\hline")])

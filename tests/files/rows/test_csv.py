@@ -50,7 +50,7 @@ def test_a_table_is_read_however_it_is_spelled(content: str, drops: bool) -> Non
     assert read(content, drops=drops).tolist() == [ROW]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("content", "degrees", "expected"),
     [
         ("theta1[deg],theta2[°],d3[mm]\n180,90,250\n", False, [math.pi, math.pi / 2, 0.25]),

@@ -88,7 +88,7 @@ def test_unknown_and_missing_names_are_told_at_once() -> None:
     ]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "content", ["[[1, 2, 3], [4, 5, 6]]", "[\n  [1, 2, 3],\n  [4, 5, 6]\n]", '[ {"q1": 1}]', '\n{\n"q1": [1, 2]}']
 )
 def test_one_list_of_rows_is_not_taken_for_lines(content: str) -> None:

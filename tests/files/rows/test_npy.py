@@ -70,8 +70,8 @@ def headed(header: str) -> bytes:
 Q = np.random.default_rng(2).normal(size=(5, 3))
 
 
-@pytest.mark.parametrize("kind", ["<f8", ">f8", "<f4", "<i2", "u1"])
-@pytest.mark.parametrize("drops", [False, True])
+@row_by_row("kind", ["<f8", ">f8", "<f4", "<i2", "u1"])
+@row_by_row("drops", [False, True])
 def test_real_numbers_of_any_kind_are_read(kind: str, drops: bool) -> None:
     """As float64."""
     table = (Q * 9).astype(kind) if "f" in kind else np.abs(Q * 9).astype(kind)

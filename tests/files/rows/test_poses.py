@@ -13,10 +13,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli.errors import FileError
-from dhcli.files.rows import csvrows
+from dhcli.files.rows import MATRIX, TURNS, csvrows
 from dhcli.files.rows import poses as reading
 from dhcli.files.rows.blocks import Block
-from dhcli.files.rows.posecolumns import MATRIX, TURNS
 from dhcli.files.rows.poses import BLOCK, pose_rows
 from dhcli.files.rows.source import Source
 from dhcli.geometry.euler import EulerAngles, Order
@@ -196,8 +195,8 @@ def test_what_holds_no_poses_is_called_what_it_is(content: bytes, path: str, sai
     assert str(caught.value).startswith(said)
 
 
-@pytest.mark.parametrize("array", [np.arange(48.0).reshape(3, 4, 4), np.arange(9.0).reshape(3, 3)])
-@pytest.mark.parametrize("order", ["C", "F"])
+@row_by_row("array", [np.arange(48.0).reshape(3, 4, 4), np.arange(9.0).reshape(3, 3)])
+@row_by_row("order", ["C", "F"])
 def test_arrays_of_poses_are_read_from_any_stream_in_either_order_of_memory(array: np.ndarray, order: str) -> None:
     """Whatever it is called."""
     with patch.object(reading, "BLOCK", 2):

@@ -19,7 +19,9 @@ from dhcli.kinematics.describe.asked import Asked
 from dhcli.kinematics.describe.description import describe
 from dhcli.kinematics.forward import forward
 from dhcli.kinematics.inverse.asked import inverse
+from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.values import joint_values
 from tests.coupled import COUPLED
 from tests.nightly import NIGHT
 from tests.row_by_row import row_by_row
@@ -120,6 +122,25 @@ def test_limits_and_names_of_joints_are_kept() -> None:
     assert robot.variables == ("theta1", "theta2", "d3")
     assert set(robot.limits) == {"theta1", "d3"}
     assert "theta2 is the joint elbow." in robot.notes
+
+
+def test_joints_have_the_names_of_the_file_too() -> None:
+    """Before all others: a joint called q1 is that joint, and not the first one."""
+    robot = load_robot(DATA / "three-joints.urdf", tip="tool0")
+    named = forward(robot, {"slide": 0.2, "elbow": -1.1, "shoulder": 0.3})
+    assert named.rows == forward(robot, [0.3, -1.1, 0.2]).rows
+    other = read_urdf(THREE.replace('name="slide"', 'name="q1"'), "x", "x", tip="tool0")
+    assert joint_values(other, "q1=0.2") == joint_values(other, "d3=0.2")
+
+
+def test_a_rounded_turn_at_the_tip_is_told_by_the_turn() -> None:
+    """It moves the tip by nothing, and turns it."""
+    robot = read_urdf(
+        with_change("3.1416", "3.14").replace("1.5708", "0.3").replace("1.57079", "0.3"), "x", "x", tip="tool0"
+    )
+    (remark,) = robot.remarks
+    assert "1 of 12 angles (3.14 -> 180°)" in remark
+    assert [*warnings(robot, {})] == [remark]
 
 
 def test_another_base_and_tip_are_another_chain() -> None:
@@ -227,6 +248,60 @@ def test_what_is_wrong_with_a_urdf_is_said(text: str, said: str) -> None:
     with pytest.raises(FileError) as caught:
         read_urdf(text, "arm.urdf", "arm", tip=tip)
     assert said in str(caught.value)
+
+
+def test_all_that_is_wrong_with_its_numbers_and_types_is_said_at_once() -> None:
+    """Each at its tag, with the line."""
+    text = THREE.replace('xyz="0 0 0.3"', 'xyz="0 0 0,3"').replace("continuous", "continous").replace("0.4 0 0", "0.4")
+    with pytest.raises(FileError) as caught:
+        read_urdf(text, "arm.urdf", "arm", tip="tool0")
+    said = [(problem.message, problem.hint) for problem in caught.value.problems]
+    assert said == [
+        ("xyz: '0,3' is no number", "write 0.3"),
+        ("joint elbow: there is no type continous", "did you mean continuous?"),
+        ("xyz: three numbers are wanted, not '0.4'", 'write xyz="0 0 0.1"'),
+    ]
+    places = [problem.place for problem in caught.value.problems]
+    assert all(place is not None and place.text[(place.column or 1) - 1] == "<" for place in places)
+
+
+def test_numbers_in_degrees_and_millimetres_are_pointed_at() -> None:
+    """They are read as they stand, in radians and metres."""
+    robot = read_urdf(
+        with_change('xyz="0 0.1 0" rpy="1.5708 0 0"', 'xyz="0 100 0" rpy="90 0 0"'), "x", "x", tip="tool0"
+    )
+    assert [remark for remark in robot.remarks if "elbow" in remark] == [
+        "rpy of elbow: 90 is more than a turn; angles are in radians, and 90° is 1.5708",
+        "xyz of elbow: 100 is longer than any arm; lengths are in metres, and 300 mm is 0.3",
+    ]
+    assert not any("elbow" in remark for remark in load_robot(DATA / "three-joints.urdf", tip="tool0").remarks)
+
+
+def test_what_is_left_out_is_said_once_and_what_nobody_can_see_never() -> None:
+    """Limits of 0 to 0, as exporters write them; right angles with all their digits."""
+    text = THREE.replace('lower="-3.14" upper="3.14"', 'lower="0" upper="0"').replace('upper="0.5"', 'upper="0"')
+    text = (
+        text.replace("1.5708", "1.57079632679").replace("1.57079 ", "1.57079632679 ").replace("3.1416", "3.14159265359")
+    )
+    robot = read_urdf(text, "x", "x", tip="tool0")
+    assert robot.remarks == ("the limits of shoulder, slide are left out: lower is not below upper",)
+    assert list(warnings(robot, {})) == []
+    assert robot.limits == {}
+    bare = read_urdf(THREE.replace('lower="-3.14" upper="3.14" ', ""), "x", "x", tip="tool0")
+    assert "theta1" not in bare.limits
+    assert "shoulder" not in " ".join(bare.remarks)
+
+
+def test_fixed_shifts_one_behind_the_other_are_one() -> None:
+    """As a base on a stand; what slides stays apart."""
+    text = with_change('<parent link="base_link"/>', '<parent link="stand"/>')
+    stand = '<link name="stand"/><joint name="on" type="fixed"><parent link="base_link"/><child link="stand"/>'
+    text = text.replace('<link name="upper"/>', stand + '<origin xyz="0.1 0 0.05"/></joint><link name="upper"/>')
+    robot = read_urdf(text, "x", "x", tip="tool0")
+    assert robot.links[0].product == "Trans(0.1, 0, 0.35) * Rot(z, theta1)"
+    assert robot.links[2].product.count("Trans") == 3
+    q = [0.3, -1.1, 0.5]
+    assert np.abs(forward(robot, q).matrix - walked(text, "tool0", q)).max() < 2e-5
 
 
 @pytest.mark.parametrize(

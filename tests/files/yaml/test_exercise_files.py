@@ -325,3 +325,23 @@ def test_names_of_a_robot_are_known_in_every_spelling() -> None:
 def test_a_flag_is_yes_or_no_in_any_spelling(word: str, *, is_set: bool) -> None:
     """As other programs that read YAML take it."""
     assert read(HEAD + PARTS + f"numeric: {word}\ngiven: {{theta1: 1°, theta2: 2°}}\n").numeric is is_set
+
+
+def test_answers_under_tests_and_printed_may_be_lists_as_on_a_sheet() -> None:
+    """A matrix as YAML has it, and a vector."""
+    rows = "[[c1, -s1, 0, a1*c1], [s1, c1, 0, a1*s1], [0, 0, 1, 0], [0, 0, 0, 1]]"
+    parts = "parts:\n  - {id: t, ask: link 1}\n  - {id: p, ask: position of link 1}\n"
+    tests = f"tests:\n  - {{part: t, answer: {rows}, verdict: RIGHT}}\n"
+    printed = "printed:\n  p: [a1*c1, a1*s1, 0]\n  t:\n    answer:\n      - [c1]\n      - [s1]\n"
+    exercise = read_exercise(HEAD + parts + tests + printed, "my.yaml", "my")
+    assert exercise.trials[0].answer == rows
+    printed_of = {part.id: part.printed.text for part in exercise.parts if part.printed is not None}
+    assert printed_of == {"p": "[a1*c1, a1*s1, 0]", "t": "[[c1], [s1]]"}
+
+
+@pytest.mark.parametrize(("right", "hint"), [("its axis", "write 1"), ("b", "write 2"), ("its length", "write 1 to 2")])
+def test_the_right_option_in_words_is_told_with_its_number(right: str, hint: str) -> None:
+    """Or by its letter."""
+    part = f"  - {{id: t, ask: choice, options: [its axis, its origin], right: {right}}}\n"
+    (found,) = problems(f"{HEAD}parts:\n{part}")
+    assert found.endswith(f"({hint})")

@@ -16,6 +16,7 @@ from dhcli.files.yaml.placed import PlacedScalar, read_yaml
 from dhcli.files.yaml.robots import load_robot
 from dhcli.files.yaml.sheets import read_sheet
 from dhcli.files.yaml.slips import node_kind
+from tests.row_by_row import row_by_row
 
 KNOWN = ("title", "source", "links", "parameters")
 
@@ -245,7 +246,7 @@ def test_a_later_format_is_refused_without_another_word(spelled: str) -> None:
     )
 
 
-@pytest.mark.parametrize("spelled", ["0", "one", "1.0", "01", "-1", "٢", "[1]", ""])
+@row_by_row("spelled", ["0", "one", "1.0", "01", "-1", "٢", "[1]", ""])
 def test_a_format_that_is_no_number_of_a_format_is_refused(spelled: str) -> None:
     """Only 1 is 1."""
     with pytest.raises(FileError, match="format: should be 1, is "):

@@ -13,6 +13,7 @@ from dhcli.files.yaml.robots import read_robot
 from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
+from tests.row_by_row import row_by_row
 
 FILE = """format: 1
 title: t
@@ -75,7 +76,7 @@ def by_hand_open(a2: float) -> float:
     return 2 * a2 * math.cos(off) + 2 * a2 * math.cos(off) * math.cos(turn)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("parameters", "message"),
     [
         ("a2: 1, a3: 2*a3, r: 1, off: 0", "a3: follows from itself"),
@@ -140,4 +141,4 @@ def test_a_unit_of_something_else_is_named(unit: str) -> None:
     """And not its letters as names that are not known."""
     with pytest.raises(FileError) as caught:
         robot(PARAMETERS.replace('"atan2(24 mm, 128 mm)"', f"1.5 {unit}"))
-    assert any(f"is in {unit}, a" in problem.message for problem in caught.value.problems)
+    assert any(f"{unit} is no unit of an angle or a length" in problem.message for problem in caught.value.problems)

@@ -1,5 +1,6 @@
 """PyYAML imported without its parser in Python, and whole for whoever asks."""
 
+import os
 import subprocess
 import sys
 
@@ -30,21 +31,30 @@ def test_reading_a_file_leaves_out_what_libyaml_makes_superfluous() -> None:
     run("assert not {'yaml.scanner', 'yaml.parser', 'yaml.constructor', 'yaml.emitter'} & set(sys.modules)")
 
 
-@pytest.mark.parametrize(
-    "asked",
-    [
-        "import yaml; assert yaml.safe_load('a: [1]') == {'a': [1]}",
-        "from yaml import safe_dump; assert safe_dump({'a': 1}) == 'a: 1\\n'",
-        "import yaml; assert yaml.load('a: 1', yaml.CSafeLoader) == {'a': 1}",
-        "import yaml.scanner; assert yaml.scanner.Scanner",
-        "from yaml import *; assert safe_load('1') == 1",
-        "import yaml; assert yaml.YAMLError is yaml.error.YAMLError and yaml.__with_libyaml__",
-        "import yaml, importlib; assert importlib.reload(yaml).safe_load('1') == 1",
-    ],
-)
-def test_another_library_finds_all_of_it(asked: str) -> None:
-    """Also after dhcli has read a file, and dhcli goes on reading."""
-    run(f"{asked}\nread_yaml('format: 1', 'file')")
+ASKED = r"""
+import yaml; assert yaml.safe_load('a: [1]') == {'a': [1]}
+from yaml import safe_dump; assert safe_dump({'a': 1}) == 'a: 1\n'
+import yaml; assert yaml.load('a: 1', yaml.CSafeLoader) == {'a': 1}
+import yaml.scanner; assert yaml.scanner.Scanner
+from yaml import *; assert safe_load('1') == 1
+import yaml; assert yaml.YAMLError is yaml.error.YAMLError and yaml.__with_libyaml__
+import yaml, importlib; assert importlib.reload(yaml).safe_load('1') == 1
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="a process for each is forked")
+def test_another_library_finds_all_of_it() -> None:
+    """Also after dhcli has read a file, and dhcli goes on reading; each way to ask in a process of its own."""
+    asked = ASKED.strip().split("\n")
+    run(f"""
+import os
+for asked in {asked!r}:
+    if not os.fork():
+        exec(asked)
+        read_yaml("format: 1", "file")
+        sys.exit()
+    assert os.wait()[1] == 0, asked
+""")
 
 
 def test_what_is_not_there_is_not_there() -> None:

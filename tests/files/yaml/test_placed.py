@@ -141,7 +141,7 @@ def test_formulas_with_operators_are_plain_texts() -> None:
     assert [scalar.text for scalar in scalars(root)] == ["Trans(0, 0, l1) * Rot(z, theta1)", "theta3 - 180°", "-d3"]
 
 
-@pytest.mark.parametrize(("spelled", "quoted"), [("1", False), ("'1'", True), ('"1"', True), ("|-\n  1", True)])
+@row_by_row(("spelled", "quoted"), [("1", False), ("'1'", True), ('"1"', True), ("|-\n  1", True)])
 def test_a_quoted_text_is_told_from_a_plain_one(spelled: str, quoted: bool) -> None:
     """A title `'1'` is a text even where a number could stand."""
     assert (value_of(f"a: {spelled}").text, value_of(f"a: {spelled}").quoted) == ("1", quoted)
@@ -169,7 +169,7 @@ def test_a_list_and_a_mapping_know_where_they_begin() -> None:
     assert [str(node.place) for node in (root, links, links.items[0])] == ["f:2:1", "f:3:3", "f:3:5"]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("text", "column"),
     [("a: x + y1", 8), ("a: 'x + y1'", 9), ('a: "x + y1"', 9), ("a: 'x+''y1'", 4), ("a: x +\n y1", 4)],
 )

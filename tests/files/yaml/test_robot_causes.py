@@ -6,6 +6,7 @@ import pytest
 
 from dhcli.errors import FileError
 from dhcli.files.yaml.robots import read_robot
+from tests.row_by_row import row_by_row
 
 ARM = """\
 format: 1
@@ -58,7 +59,7 @@ def test_nothing_follows_from_a_table_that_is_missing() -> None:
     assert told(("links:", "Rungs:")) == ["1: links: is missing", "7: Rungs: unknown key"]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("old", "new", "message", "hint"),
     [
         ("convention: standard", "convention: Craig", "convention: 'Craig' is not known", "write modified"),
@@ -100,6 +101,7 @@ def test_nothing_follows_from_a_table_that_is_missing() -> None:
             "tool: a number has a decimal comma, which ends a value here",
             "write [1, 0, 0, 0.1]",
         ),
+        ("{a: 0, alpha", "{a: a1*sin(30), alpha", "sin of 30 does not say what 30 is", "write 30° for degrees"),
         (
             "poses:",
             "tool: {xyz: [0, 0, 0.1], rpy: [0, 0, 0]}\nposes:",

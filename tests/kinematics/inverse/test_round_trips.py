@@ -19,7 +19,7 @@ from dhcli.kinematics.inverse.solving import solve
 from dhcli.kinematics.inverse.tasks import TASKS
 from tests.kinematics.arms import COBOT, numbered_hinges
 from tests.kinematics.inverse.arms import CLASSES, Class, measured, odd, random_arm, random_motions
-from tests.nightly import NIGHT, paired, some
+from tests.nightly import NIGHT, in_turn, paired, some
 
 TRIES = np.tile(np.pi * np.array([0.0, 0.5, -0.5, 1.0]), (6, 1))
 """What a free joint would be tried at; none is free at random."""
@@ -127,14 +127,18 @@ def test_an_arm_some_of_whose_axes_count_as_meeting_loses_nothing(name: str, see
 
 @pytest.mark.parametrize(
     ("name", "by", "seed", "pose"),
-    [
-        ("puma560", 1e-5, 0, 7),
-        ("puma560", 1e-4, 3, 1),
-        ("ur5e", 1e-7, 0, 28),
-        ("stanford", 1e-7, 3, 9),
-        ("stanford", 1e-5, 3, 9),
-        ("stanford", 1e-4, 0, 6),
-    ],
+    in_turn(
+        [
+            ("puma560", 1e-5, 0, 7),
+            ("puma560", 1e-4, 3, 1),
+            ("ur5e", 1e-7, 0, 28),
+            ("stanford", 1e-7, 3, 9),
+            ("stanford", 1e-5, 3, 9),
+            ("stanford", 1e-4, 0, 6),
+        ],
+        0,
+        2,
+    ),
 )
 def test_an_arm_as_it_was_built_finds_its_joint_values_again_beside_singular_poses(
     name: str, by: float, seed: int, pose: int

@@ -13,6 +13,7 @@ from dhcli.kinematics.inverse import batch
 from dhcli.kinematics.inverse.branches import Told, with_values
 from dhcli.kinematics.inverse.tasks import TaskName
 from tests.kinematics.arms import numbered_hinges
+from tests.row_by_row import row_by_row
 
 
 def solved(name: str, q: object, **asked: object) -> Solutions:
@@ -256,8 +257,8 @@ def test_what_is_no_pose_is_refused(change: object, said: str) -> None:
         inverse(robot, change(forward(robot, [0.3, -0.5, 0.7, 1, 0.8, -2]).matrix))  # type: ignore[operator]
 
 
-@pytest.mark.parametrize("name", ["scara", "palletizer"])
-@pytest.mark.parametrize(
+@row_by_row("name", ["scara", "palletizer"])
+@row_by_row(
     ("options", "said"),
     [
         ({"hold": 3}, "hold says what a joint is held at, by its name, and 3 does not"),

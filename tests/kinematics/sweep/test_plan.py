@@ -13,6 +13,7 @@ from dhcli.kinematics.sweep.plan import LARGEST, MODEST, plan, remarks
 from dhcli.kinematics.sweep.ranges import read_over
 from dhcli.kinematics.sweep.target import target_of
 from dhcli.kinematics.values import joint_values
+from tests.row_by_row import row_by_row
 
 PI = 3.141592653589793
 
@@ -82,7 +83,7 @@ def test_open_counts_share_what_the_others_leave() -> None:
     assert [axis.count for axis in grid.axes] == [121, 121, 61]
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("name", "overs", "q", "said"),
     [
         ("scara", (), None, "say it: --over theta1 --over theta2 --over d3=0..0.2"),

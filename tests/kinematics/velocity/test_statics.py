@@ -26,6 +26,7 @@ from dhcli.kinematics.velocity.measures import measures_of
 from dhcli.kinematics.velocity.view import MotionView, Viewing
 from tests.kinematics.arms import IIWA, joint_point, moving_robots, with_values
 from tests.nightly import in_turn
+from tests.row_by_row import row_by_row
 
 FORCE, MOMENT = (3.0, -5.0, 7.0), (0.4, 0.2, -0.6)
 
@@ -191,7 +192,7 @@ def test_the_distance_of_a_condition_is_that_to_all_its_zeros() -> None:
     assert math.degrees(first.distance) == pytest.approx(5)
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     ("call", "match"),
     [
         (lambda: torques(load_robot("scara"), "pick", (1, 2)), "a force has three numbers, not 2"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import hashlib
 import json
 import re
 import shutil
@@ -46,16 +47,26 @@ class Call:
         """Keep all of it."""
         self.code, self.name, self.numbers, self.shape, self.pose = code, name, list(numbers), shape, pose
 
-    def renamed(self, number: int) -> str:
+    def renamed(self) -> str:
         """The file with another name of the function, so that many stand in one."""
-        return re.sub(rf"\b{self.name}\(", f"{self.name}_{number}(", self.code)
+        return re.sub(rf"\b{self.name}\(", f"{self.called}(", self.code)
 
-    def spoken(self, number: int, marks: tuple[str, str, str, str] = ("[", "; ", "]", " ")) -> str:
+    @property
+    def called(self) -> str:
+        """The other name; of the same file, the same."""
+        return f"{self.name}_{hashlib.md5(self.code.encode(), usedforsecurity=False).hexdigest()}"
+
+    def spoken(self, marks: tuple[str, str, str, str] = ("[", "; ", "]", " ")) -> str:
         """The call in a language that writes it with brackets: before a matrix, between rows, behind, between cells."""
         first, middle, last, comma = marks
         rows = middle.join(comma.join(map(repr, row)) for row in self.pose)
         given = [f"{first}{rows}{last}"] if self.pose else []
-        return f"{self.name}_{number}({', '.join([*given, *map(repr, self.numbers)])})"
+        return f"{self.called}({', '.join([*given, *map(repr, self.numbers)])})"
+
+
+def written(calls: Sequence[Call]) -> str:
+    """The functions of all calls, each once."""
+    return "\n".join(dict.fromkeys(call.renamed() for call in calls))
 
 
 def results(language: str, calls: Sequence[Call], folder: Path) -> list[Any]:
@@ -80,33 +91,33 @@ def by_python(call: Call) -> Any:  # noqa: ANN401
 def by_compiler(calls: Sequence[Call], folder: Path) -> list[Any]:
     """One library of them all."""
     source, library = folder / "functions.c", folder / "functions.so"
-    source.write_text("\n".join(call.renamed(k) for k, call in enumerate(calls)), "utf-8")
+    source.write_text(written(calls), "utf-8")
     flags = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-shared", "-fPIC"]
     subprocess.run([str(shutil.which("cc")), *flags, "-o", str(library), str(source), "-lm"], check=True)
     loaded, found = ctypes.CDLL(str(library)), []
-    for k, call in enumerate(calls):
+    for call in calls:
         rows, columns = call.shape
         matrix = (ctypes.c_double * columns * rows)()
         given = [(ctypes.c_double * 4 * 4)(*map(tuple, call.pose))] if call.pose else []
-        count = getattr(loaded, f"{call.name}_{k}")(*given, *map(ctypes.c_double, call.numbers), matrix)
+        count = getattr(loaded, call.called)(*given, *map(ctypes.c_double, call.numbers), matrix)
         found.append([list(row) for row in matrix][: count if call.pose else rows])
     return found
 
 
 def by_node(calls: Sequence[Call], folder: Path) -> list[Any]:
     """One script of them all."""
-    script = "'use strict';\n" + "\n".join(call.renamed(k) for k, call in enumerate(calls))
-    said = ", ".join(call.spoken(k, ("[[", "], [", "]]", ", ")) for k, call in enumerate(calls))
+    script = "'use strict';\n" + written(calls)
+    said = ", ".join(call.spoken(("[[", "], [", "]]", ", ")) for call in calls)
     script += f"\nconsole.log(JSON.stringify([{said}]));\n"
     return read_back(["node"], folder / "functions.js", script)
 
 
 def by_octave(calls: Sequence[Call], folder: Path) -> list[Any]:
     """One script; the functions stand before what calls them."""
-    script = "1;\n" + "\n".join(call.renamed(k) for k, call in enumerate(calls)) + "\n"
+    script = "1;\n" + written(calls) + "\n"
     said = ["printf('[');"]
-    for k, call in enumerate(calls):
-        said += [f"M = {call.spoken(k)};", "printf('[');"]
+    for call in calls:
+        said += [f"M = {call.spoken()};", "printf('[');"]
         said += ["for row = 1:size(M, 1), printf('[%s],', strjoin(compose_row(M(row, :)), ',')); end", "printf('0],');"]
     script += (
         "function cells = compose_row(r)\n cells = arrayfun(@(x) sprintf('%.17g', x), r, 'UniformOutput', 0);\nend\n"
@@ -119,10 +130,10 @@ def by_octave(calls: Sequence[Call], folder: Path) -> list[Any]:
 
 def by_julia(calls: Sequence[Call], folder: Path) -> list[Any]:
     """One script of them all."""
-    script = "\n".join(call.renamed(k) for k, call in enumerate(calls))
+    script = written(calls)
     script += "\nrows(M::Matrix) = [[M[i, k] for k in 1:size(M, 2)] for i in 1:size(M, 1)]\nrows(M::Vector) = M"
     script += "\nsaid(M) = string('[', join([string('[', join(row, ','), ']') for row in rows(M)], ','), ']')"
-    said = [f"print(said({call.spoken(k)}), ',')" for k, call in enumerate(calls)]
+    said = [f"print(said({call.spoken()}), ',')" for call in calls]
     return read_back(
         ["julia", "--startup-file=no"], folder / "functions.jl", "\n".join([script, "print('[')", *said, 'print("0]")'])
     )[:-1]

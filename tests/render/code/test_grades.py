@@ -18,6 +18,7 @@ from dhcli.render.kinds import render
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.safe import csv_cell
+from tests.row_by_row import row_by_row
 
 ESCAPES = "\x1b[2J\x07\x9b31m\u202e"
 
@@ -32,7 +33,7 @@ def cells(*rows: Graded) -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO(render("class", report(*rows), Look("csv")))))
 
 
-@pytest.mark.parametrize(
+@row_by_row(
     "text", ["=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1", "\n=1", " =1", "＝1", "\u200b=1+1", "\ufeff\u00ad@x"]
 )
 def test_no_text_of_a_student_is_a_formula(text: str) -> None:

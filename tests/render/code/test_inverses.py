@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
+from itertools import chain, islice
 from pathlib import Path
 from typing import Any
 
@@ -45,8 +46,9 @@ def derived(name: str, *, in_its_numbers: bool = False) -> Derivation:
     return derive(with_own_values(load_robot(name)) if in_its_numbers else load_robot(name))
 
 
+@cache
 def code(derivation: Derivation, language: str) -> str:
-    """The file."""
+    """The file, which many poses are put into."""
     return inverse_code(derivation, Look(language))
 
 
@@ -74,13 +76,24 @@ def task_of(name: str) -> TaskName:
     return "position" if derived(name).place_only else "pose"
 
 
-@pytest.mark.parametrize("language", HERE)
-def test_every_solution_comes_back(language: str, tmp_path: Path) -> None:
-    """As many as the engine finds, each of them, and each once; with the robot's own lengths, given or put in."""
+@pytest.fixture(params=HERE, scope="module")
+def given(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[Any]]:
+    """What a language gives for the calls of all tests here, by one start of it."""
+    calls = {what: asked(request.param) for what, asked in ASKED.items()}
+    found = iter(results(request.param, [*chain(*calls.values())], tmp_path_factory.mktemp("code")))
+    return {what: [*islice(found, len(asked))] for what, asked in calls.items()}
+
+
+def every_robot(language: str) -> list[Call]:
+    """A pose that it reaches, with its letters; some with its numbers in their place."""
     poses = {name: forward(load_robot(name), Q[: len(load_robot(name).variables)]) for name in ROBOTS}
     calls = [call(derived(name), language, pose.matrix) for name, pose in poses.items()]
-    calls += [call(derived(name, in_its_numbers=True), language, poses[name].matrix) for name in IN_NUMBERS]
-    for name, rows in zip((*ROBOTS, *IN_NUMBERS), results(language, calls, tmp_path), strict=True):
+    return [*calls, *(call(derived(name, in_its_numbers=True), language, poses[name].matrix) for name in IN_NUMBERS)]
+
+
+def test_every_solution_comes_back(given: dict[str, list[Any]]) -> None:
+    """As many as the engine finds, each of them, and each once; with the robot's own lengths, given or put in."""
+    for name, rows in zip((*ROBOTS, *IN_NUMBERS), given["every robot"], strict=True):
         found = np.array(rows)
         engine = reached()[name]
         assert len(found) == len(engine), name
@@ -95,12 +108,16 @@ def test_no_line_ends_in_blanks(language: str) -> None:
     assert [line for line in text.splitlines() if line != line.rstrip()] == []
 
 
-@pytest.mark.parametrize("language", HERE)
-def test_a_pose_out_of_reach_has_no_solution(language: str, tmp_path: Path) -> None:
-    """And no error of the language."""
+def out_of_reach(language: str) -> list[Call]:
+    """A place that is too far."""
     far = np.eye(4)
     far[0, 3] = 5.0
-    [found] = results(language, [call(derived("planar-2r"), language, far)], tmp_path)
+    return [call(derived("planar-2r"), language, far)]
+
+
+def test_a_pose_out_of_reach_has_no_solution(given: dict[str, list[Any]]) -> None:
+    """And no error of the language."""
+    [found] = given["out of reach"]
     assert len(found) == 0
 
 
@@ -126,13 +143,15 @@ def few_can_take() -> list[tuple[str, np.ndarray, int]]:
     return found
 
 
-@pytest.mark.parametrize("language", HERE)
-def test_a_pose_that_few_joints_cannot_take_has_no_solution(language: str, tmp_path: Path) -> None:
+def few_joints(language: str) -> list[Call]:
+    """Poses for few joints."""
+    return [call(derived(name), language, pose) for name, pose, _ in few_can_take()]
+
+
+def test_a_pose_that_few_joints_cannot_take_has_no_solution(given: dict[str, list[Any]]) -> None:
     """None for what the engine has none for; those of a pose typed with four decimals are as many as of the pose."""
-    wanted = few_can_take()
-    calls = [call(derived(name), language, pose) for name, pose, _ in wanted]
-    found = [len(rows) for rows in results(language, calls, tmp_path)]
-    assert found == [count for _, _, count in wanted]
+    found = [len(rows) for rows in given["few joints"]]
+    assert found == [count for _, _, count in few_can_take()]
     assert found.count(0) > len(FEW)
 
 
@@ -152,16 +171,19 @@ def test_what_six_joints_reach_is_not_checked_twice() -> None:
     assert "tolerance" not in code(derived("cylindrical"), "python")
 
 
-@pytest.mark.parametrize("language", HERE)
-def test_there_is_no_root_of_a_negative_number(language: str, tmp_path: Path) -> None:
-    """A length from its square: none where the square is negative, two where it is not."""
+def roots(language: str) -> list[Call]:
+    """A length from its square, which is positive and then negative."""
     rest = add(power(Symbol("px"), 2), negate(power(Symbol("l1"), 2)))
     step = Step("SQUARES", "d3", (), ZERO, power(rest, Fraction(1, 2)), "plus-minus", rest)
     derivation = replace(derived("planar-2r"), robot=load_robot("scara"), steps=(step,))
     far, near = np.eye(4), np.eye(4)
     far[0, 3] = 0.5
-    calls = [call(derivation, language, pose, [0.3]) for pose in (far, near)]
-    two, none = results(language, calls, tmp_path)
+    return [call(derivation, language, pose, [0.3]) for pose in (far, near)]
+
+
+def test_there_is_no_root_of_a_negative_number(given: dict[str, list[Any]]) -> None:
+    """None where the square is negative, two where it is not."""
+    two, none = given["roots"]
     assert np.allclose(sorted(np.ravel(two)), [-0.4, 0.4])
     assert len(none) == 0
 
@@ -194,12 +216,14 @@ def special_poses() -> list[tuple[str, np.ndarray, Solutions]]:
     return found
 
 
-@pytest.mark.parametrize("language", HERE)
-def test_no_solution_is_missing_at_special_poses_of_five_joints(language: str, tmp_path: Path) -> None:
+def special(language: str) -> list[Call]:
+    """Special poses of arms with five joints."""
+    return [call(derived(name), language, pose) for name, pose, _ in special_poses()]
+
+
+def test_no_solution_is_missing_at_special_poses_of_five_joints(given: dict[str, list[Any]]) -> None:
     """Each that the engine has, and one of each family; what comes back reaches the pose."""
-    poses = special_poses()
-    calls = [call(derived(name), language, pose) for name, pose, _ in poses]
-    for (name, pose, engine), rows in zip(poses, results(language, calls, tmp_path), strict=True):
+    for (name, pose, engine), rows in zip(special_poses(), given["special"], strict=True):
         for row in rows:
             assert np.abs(np.array(forward(load_robot(name), list(row)).matrix) - pose).max() < 1e-6, name
         turned = np.exp(1j * np.array(rows)).reshape(-1, 5)
@@ -208,9 +232,9 @@ def test_no_solution_is_missing_at_special_poses_of_five_joints(language: str, t
         assert len(rows) >= len(engine) > 0
 
 
-@pytest.mark.parametrize("language", HERE)
-def test_a_free_sum_is_tried_where_a_later_joint_has_no_value_for_some(language: str, tmp_path: Path) -> None:
-    """A UR5e, its wrist in line and its elbow nearly stretched: not every sum of the parallel joints is in reach."""
+@cache
+def free_sums() -> list[np.ndarray]:
+    """Poses of a UR5e, its wrist in line and its elbow nearly stretched."""
     poses = []
     draw = random.Random(5)  # noqa: S311  a fixed seed, for the same poses every time
     while len(poses) < 12:
@@ -218,9 +242,18 @@ def test_a_free_sum_is_tried_where_a_later_joint_has_no_value_for_some(language:
         q[4] = 0.0
         q[2] = draw.choice((0.2, -0.2))
         poses.append(np.round(np.array(forward(load_robot("ur5e"), q).matrix), 13) + 0.0)
-    calls = [call(derived("ur5e"), language, pose) for pose in poses]
-    found = results(language, calls, tmp_path)
-    for pose, rows in zip(poses, found, strict=True):
+    return poses
+
+
+def sums(language: str) -> list[Call]:
+    """A free sum."""
+    return [call(derived("ur5e"), language, pose) for pose in free_sums()]
+
+
+def test_a_free_sum_is_tried_where_a_later_joint_has_no_value_for_some(given: dict[str, list[Any]]) -> None:
+    """Not every sum of the parallel joints is in reach."""
+    found = given["sums"]
+    for pose, rows in zip(free_sums(), found, strict=True):
         assert len(rows) <= 16
         for row in rows:
             assert np.abs(np.array(forward(load_robot("ur5e"), list(row)).matrix) - pose).max() < 1e-6
@@ -247,12 +280,14 @@ def _singular() -> list[tuple[str, np.ndarray]]:
     return [*found, ("ur5e", pose)]
 
 
-@pytest.mark.parametrize("language", HERE)
-def test_singular_poses_are_no_error_and_no_number_is_missing(language: str, tmp_path: Path) -> None:
+def singular(language: str) -> list[Call]:
+    """Singular poses."""
+    return [call(derived(name), language, pose) for name, pose, _ in singular_poses()]
+
+
+def test_singular_poses_are_no_error_and_no_number_is_missing(given: dict[str, list[Any]]) -> None:
     """Every row is finite and reaches the pose; there are some wherever the engine has one, else none."""
-    poses = singular_poses()
-    calls = [call(derived(name), language, pose) for name, pose, _ in poses]
-    for (name, pose, is_reached), rows in zip(poses, results(language, calls, tmp_path), strict=True):
+    for (name, pose, is_reached), rows in zip(singular_poses(), given["singular"], strict=True):
         robot, task = load_robot(name), task_of(name)
         assert bool(len(rows)) == is_reached, name
         for row in rows:
@@ -260,15 +295,31 @@ def test_singular_poses_are_no_error_and_no_number_is_missing(language: str, tmp
             assert np.abs(gap[:, 3] if task == "position" else gap).max() < 1e-7, name
 
 
-@pytest.mark.parametrize("language", HERE)
-def test_what_would_be_divided_by_0_before_any_choice_has_no_solution(language: str, tmp_path: Path) -> None:
-    """A length from another that stands below a line, in no loop yet."""
+def quotients(language: str) -> list[Call]:
+    """A length from another that stands below a line, in no loop yet; it is 0 in the second pose."""
     value = multiply(Symbol("l1"), power(add(Symbol("px"), negate(Symbol("py"))), -1))
     step = Step("SLIDE", "d3", (), value)
     derivation = replace(derived("planar-2r"), robot=load_robot("scara"), steps=(step,))
     near = np.eye(4)
     near[0, 3] = 0.5
-    one, none = results(language, [call(derivation, language, pose, [0.3]) for pose in (near, np.eye(4))], tmp_path)
+    return [call(derivation, language, pose, [0.3]) for pose in (near, np.eye(4))]
+
+
+ASKED: dict[str, Callable[[str], list[Call]]] = {
+    "every robot": every_robot,
+    "out of reach": out_of_reach,
+    "few joints": few_joints,
+    "roots": roots,
+    "special": special,
+    "sums": sums,
+    "singular": singular,
+    "quotients": quotients,
+}
+
+
+def test_what_would_be_divided_by_0_before_any_choice_has_no_solution(given: dict[str, list[Any]]) -> None:
+    """Nor an error of the language."""
+    one, none = given["quotients"]
     assert np.allclose(np.ravel(one), [0.6])
     assert len(none) == 0
 

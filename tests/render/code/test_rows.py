@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli.render.code.rows import Group, Layout, RowText
+from tests.row_by_row import row_by_row
 
 pytestmark = pytest.mark.usefixtures("json_by")
 
@@ -63,7 +64,7 @@ def test_every_number_is_written_as_python_writes_it(rows: list[tuple[float, ...
     assert RowText(layout, "jsonl").lines(block) == "".join(objects)
 
 
-@pytest.mark.parametrize("key", ["100%", 'a"b', "a,b", "%s", "%r"])
+@row_by_row("key", ["100%", 'a"b', "a,b", "%s", "%r"])
 def test_a_name_may_hold_any_letter(key: str) -> None:
     """Also those that steer a template or a format."""
     layout = Layout((Group(key, (key,), "%s"),))

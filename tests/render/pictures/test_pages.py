@@ -224,27 +224,33 @@ def moved(request: pytest.FixtureRequest, browser: WebDriver, together: None) ->
     return _linkage(request.param)
 
 
+DRIVEN = """
+dhcli.home();
+const name = driver.name;
+const reached = arguments[0].map((angle) => [dhcli.drive(name, angle), dhcli.gap(), dhcli.note()]);
+dhcli.drive(name, 0);
+const back = dhcli.state();
+dhcli.home();
+return [dhcli.freedom, reached, back, dhcli.state()];
+"""
+
+
 def test_a_driven_linkage_keeps_together_and_comes_back(moved: Linkage, browser: WebDriver) -> None:
     """Out to both sides and back: all joints within 1e-9, and the drawing as it was where it has one freedom."""
-    browser.execute_script("dhcli.home()")
-    free, driver = browser.execute_script("return [dhcli.freedom, driver.name]")
+    angles = (0.3, -0.4, 0.2)
+    free, driven, back, home = browser.execute_script(DRIVEN, angles)
     assert free == analyse(moved).instantaneous
-    for angle in (0.3, -0.4, 0.2):
-        reached = browser.execute_script("return dhcli.drive(arguments[0], arguments[1])", driver, angle)
-        assert browser.execute_script("return dhcli.gap()") < 1e-9
-        if not browser.execute_script("return dhcli.note()"):
-            assert reached == pytest.approx(angle, abs=1e-9)
-    browser.execute_script("dhcli.drive(arguments[0], 0)", driver)
+    for angle, (reached, gap, note) in zip(angles, driven, strict=True):
+        assert gap < 1e-9
+        assert note or reached == pytest.approx(angle, abs=1e-9)
     if free == 1:
-        assert max(map(abs, browser.execute_script("return dhcli.state()"))) < 1e-9
-    browser.execute_script("dhcli.home()")
-    assert not any(browser.execute_script("return dhcli.state()"))
+        assert max(map(abs, back)) < 1e-9
+    assert not any(home)
     assert _asked(browser) == []
 
 
 def test_points_of_a_link_keep_their_distances_however_it_is_dragged(moved: Linkage, browser: WebDriver) -> None:
     """To 1e-9, each point pulled somewhere in turn."""
-    browser.execute_script("dhcli.home()")
     places = Places(moved)
     named = dict(places.named())
     held = {
@@ -259,7 +265,7 @@ def test_points_of_a_link_keep_their_distances_however_it_is_dragged(moved: Link
     assert pairs or moved.name in ("cam-follower", "hooke-coupling", "shaft-coupling")
     goals = [[x + 0.2 * places.size * ((-1) ** k) for k, x in enumerate(at)] for at in named.values()]
     script = (
-        "for (const [name, goal] of arguments[0]) dhcli.drag(name, goal);"
+        "dhcli.home(); for (const [name, goal] of arguments[0]) dhcli.drag(name, goal);"
         "return [dhcli.gap(), Object.fromEntries(arguments[1].map(n => [n, dhcli.at(n)]))]"
     )
     flat = 2 if moved.space.is_planar else 3

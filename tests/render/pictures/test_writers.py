@@ -90,17 +90,14 @@ def test_the_same_picture_is_the_same_bytes(kind: str) -> None:
 def test_another_process_with_another_seed_writes_the_same_svg() -> None:
     """The order of sets changes with the seed of hashes."""
     program = "import dhcli, sys; sys.stdout.write(dhcli.draw(dhcli.load_robot('ur5e')).svg())"
-    found = [
-        subprocess.run(
-            [sys.executable, "-c", program],
-            env={"PYTHONHASHSEED": seed, "PYTHONIOENCODING": "utf-8"},
-            capture_output=True,
-            check=True,
-        ).stdout
-        for seed in ("1", "2")
-    ]
-    assert found[0] == found[1]
-    assert found[0]
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        env={"PYTHONHASHSEED": "1", "PYTHONIOENCODING": "utf-8"},
+        capture_output=True,
+        encoding="utf-8",
+        check=True,
+    )
+    assert done.stdout == draw(load_robot("ur5e")).svg() != ""
 
 
 def test_an_animation_shows_one_moment_at_a_time_and_the_last_where_nothing_may_move() -> None:
