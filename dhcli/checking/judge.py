@@ -15,7 +15,7 @@ from dhcli.checking.marked import PartMark, SheetMark
 from dhcli.checking.other_unit import WrongUnitError
 from dhcli.checking.pasted import UnreadableError, refuse_blanks
 from dhcli.checking.returned import Causes, Judged, Reading, Shown
-from dhcli.checking.verdicts import COUNTED, INVERSE, TOO_FEW, TRANSPOSED, UNSOLVED, Mark, Verdict
+from dhcli.checking.verdicts import COUNTED, INVERSE, TRANSPOSED, UNSOLVED, Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, Place, UnknownNameError, did_you_mean
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.validity import Finding
@@ -276,7 +276,7 @@ def _refuse_lone_unit(case: Case, text: str) -> None:
 
 def is_explained(part: Part, mark: Mark) -> bool:
     """Whether a slip is looked for behind an answer: not behind a choice, nor behind what is only typed too short."""
-    return part.question.is_explained and TOO_FEW not in mark.remarks and mark.verdict in UNSOLVED
+    return part.question.is_explained and not mark.has_few_digits and mark.verdict in UNSOLVED
 
 
 def _only_moved(exercise: Exercise, other: Exercise) -> bool:

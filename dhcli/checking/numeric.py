@@ -31,17 +31,17 @@ from dhcli.checking.tolerance import (
     typed_decimals,
     without_unit,
 )
-from dhcli.checking.truth import Truth, is_length
+from dhcli.checking.truth import Truth, is_length, unit_of
 from dhcli.checking.verdicts import (
     AGREEING,
     INVERSE,
     TO_DIGITS,
-    TOO_FEW,
     TRANSPOSED,
     UNSOLVED,
     CellMark,
     Mark,
     Verdict,
+    too_few,
     worst,
 )
 from dhcli.checking.wanted import Wanted
@@ -117,7 +117,7 @@ def mark_numbers(
     else:
         remarks = _remarks(question, truth.numbers, typed, cells, exercise, _slack(entries))
         if verdict is not Verdict.RIGHT and _is_rounded(question, truth, entries, typed, limits, unit, least=0):
-            remarks = (TOO_FEW,)  # no more is wrong: no angle, no distance
+            remarks = (too_few(tolerance.decimals),)  # no more is wrong: no angle, no distance
     if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(truth, entries, exercise):
         verdict, remarks = Verdict.ROUNDED, (NOT_EXACT, *remarks)
     return Mark(verdict, cells=cells, remarks=remarks, earned=_earned(question, cells, typed, verdict))
@@ -150,7 +150,7 @@ def _cell(  # noqa: PLR0913, PLR0917  everything an entry is judged by
     assert truth.numbers is not None  # noqa: S101
     right = truth.numbers[row][column]
     verdict = judge(typed, right, limit)
-    scale = float(exercise.metres) if is_length(question, row, column) else 1.0
+    scale = unit_of(question, row, column, exercise)
     if verdict is not Verdict.RIGHT and tolerance.decimals is not None:
         number, unit = without_unit(entry.typed, scale)
         enough = (typed_decimals(number) or 0) >= tolerance.decimals

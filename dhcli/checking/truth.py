@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import islice
 from typing import TypeVar
 
@@ -158,6 +158,19 @@ def is_length(question: Wanted, row: int, column: int) -> bool:
     if question.piece == "entry":
         row, column = question.index
     return question.piece in ("pose", "entry") and column == 3 and row < 3  # noqa: PLR2004
+
+
+def unit_of(question: Wanted, row: int, column: int, exercise: Exercise) -> float:
+    """Metres in a bare number of an entry on the sheet; 1 where it is no length."""
+    return float(exercise.metres) if is_length(question, row, column) else 1.0
+
+
+def entries_on_sheet(question: Wanted, rows: Sequence[Sequence[Expr]], exercise: Exercise) -> list[list[Expr]]:
+    """Entries in symbols as a sheet has them: bare numbers of lengths in its unit."""
+    return [
+        [exercise.on_sheet(entry) if is_length(question, r, c) else entry for c, entry in enumerate(row)]
+        for r, row in enumerate(rows)
+    ]
 
 
 def _structural(

@@ -12,7 +12,7 @@ from dhcli.checking.other_unit import RADIANS, WrongUnitError, is_clear, refuse_
 from dhcli.checking.pasted import UnreadableError, without_label
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance, is_rounding_of, judge, without_unit
 from dhcli.checking.units import is_measure, length_in_metres
-from dhcli.checking.verdicts import AGREEING, TOO_FEW, UNSOLVED, CellMark, Mark, Verdict
+from dhcli.checking.verdicts import AGREEING, UNSOLVED, CellMark, Mark, Verdict, too_few
 from dhcli.errors import Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Value
@@ -101,7 +101,7 @@ def mark_value(exercise: Exercise, right: Quantity, answer: TypedValue, toleranc
     if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(typed, right, exercise):
         verdict, remarks = Verdict.ROUNDED, (NOT_EXACT,)
     if verdict in UNSOLVED and exercise.numeric and _agrees_to_digits(exercise, right, answer):
-        remarks = (TOO_FEW,)
+        remarks = (too_few(tolerance.decimals),)
     note = _note(typed, right, exercise) if verdict is Verdict.WRONG else ""
     earned = float(verdict in AGREEING)
     return Mark(verdict, reading, (CellMark(0, 0, verdict, reading, shown, note),), remarks, earned, shown)
@@ -133,6 +133,8 @@ def _verdict_in_unit(
             shown = spelled_value(right, exercise)
             wanted = f"a bare angle is in degrees: write {shown} or {answer.text} rad"
             raise WrongUnitError(RADIANS, exercise.unit, wanted=wanted)
+        if exercise.numeric and verdict in UNSOLVED and _is_rounded_in_radians(exercise, right, answer):
+            raise WrongUnitError(RADIANS, exercise.unit, ", to the digits typed")
 
     def is_right(unit: str) -> bool:
         there = replace(exercise, unit=unit)
@@ -142,6 +144,13 @@ def _verdict_in_unit(
     if right.is_length and verdict in UNSOLVED and _shows_unit(right, exercise, tolerance):
         refuse_right_in(exercise.other_units, exercise.unit, is_right)
     return verdict
+
+
+def _is_rounded_in_radians(exercise: Exercise, right: Quantity, answer: TypedValue) -> bool:
+    """Whether a bare number is an exact angle in radians, rounded to its digits."""
+    if not isinstance(right.value, Angle) or (angle := right.value.substitute(exercise.given)).terms:
+        return False
+    return is_rounding_of(answer.expr, angle.constant())
 
 
 def spelled_value(right: Quantity, exercise: Exercise) -> str:

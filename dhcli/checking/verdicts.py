@@ -7,6 +7,7 @@ from dataclasses import replace
 from enum import Enum
 
 from dhcli.checking.diagnosis.result import Diagnosis
+from dhcli.errors import plural
 from dhcli.frozen import frozen
 
 
@@ -58,8 +59,8 @@ TO_DIGITS = "right to the digits typed; more digits are wanted"
 APPROXIMATE = "right approximately: decimals stand where an exact value is"
 """Of a number that is rounded, and of a formula with one."""
 
-TOO_FEW = "right to the digits typed, which are too few to judge: write three decimals"
-"""What is said of 0.4 for 0.449."""
+TOO_FEW = "right to the digits typed, which are too few to judge"
+"""How the remark begins that is made of 0.4 for 0.449."""
 
 INVERSE = "this is the inverse: it shows the reference from the frame"
 TRANSPOSED = "the rotation is transposed: its columns, not its rows, are the axes of the frame described"
@@ -72,6 +73,11 @@ UNSOLVED = (Verdict.WRONG, Verdict.CLOSE)
 
 AGREEING = (Verdict.RIGHT, Verdict.ROUNDED)
 """A number that is right to the digits typed."""
+
+
+def too_few(decimals: int | None) -> str:
+    """What is said of an answer that is too short, where so many decimals are asked for, if any are."""
+    return f"{TOO_FEW}: write {'three decimals' if decimals is None else plural(decimals, 'decimal')}"
 
 
 def worst(verdicts: Iterable[Verdict]) -> Verdict:
@@ -131,7 +137,12 @@ class Mark:
     @property
     def is_too_short(self) -> bool:
         """Whether it agrees with what is right as far as it was typed, and is no proof that somebody worked it out."""
-        return TOO_FEW in self.remarks and not self.is_in_other_unit
+        return self.has_few_digits and not self.is_in_other_unit
+
+    @property
+    def has_few_digits(self) -> bool:
+        """The same of what is judged in another unit than that of the sheet, too."""
+        return any(remark.startswith(TOO_FEW) for remark in self.remarks)
 
     @property
     def is_in_other_unit(self) -> bool:

@@ -12,7 +12,7 @@ from dhcli.checking.entries import entries_text
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.returned import Rows, Shown
 from dhcli.checking.tolerance import ZERO as NOTHING
-from dhcli.checking.truth import chain_of, is_length, truth_of
+from dhcli.checking.truth import chain_of, entries_on_sheet, is_length, truth_of, unit_of
 from dhcli.checking.units import on_sheet
 from dhcli.checking.wanted import Composed, Wanted
 from dhcli.kinematics.conventions import ORDER
@@ -122,10 +122,9 @@ def as_text(case: Case, question: Wanted, style: str = "short") -> str:
     """The right answer as text; numbers in the unit of the sheet."""
     exercise, truth = case.exercise, truth_of(question, case)
     if exercise.numeric and truth.numbers is not None:
-        unit = float(exercise.metres)
         return entries_text(
             tuple(
-                tuple(_decimal(value / unit if is_length(question, r, c) else value) for c, value in enumerate(row))
+                tuple(_decimal(value / unit_of(question, r, c, exercise)) for c, value in enumerate(row))
                 for r, row in enumerate(truth.numbers)
             )
         )
@@ -134,15 +133,8 @@ def as_text(case: Case, question: Wanted, style: str = "short") -> str:
 
 def _written(question: Wanted, rows: tuple[tuple[Expr, ...], ...], exercise: Exercise, style: str) -> list[list[str]]:
     """Entries in symbols as they are typed, the numbers in lengths in the unit of the sheet."""
-
-    def shown(entry: Expr, row: int, column: int) -> Expr:
-        length = is_length(question, row, column)
-        return exercise.on_sheet(entry) if length else entry
-
-    return [
-        [write(shown(entry, r, c), style, exercise.writing) for c, entry in enumerate(row)]
-        for r, row in enumerate(rows)
-    ]
+    entries = entries_on_sheet(question, rows, exercise)
+    return [[write(entry, style, exercise.writing) for entry in row] for row in entries]
 
 
 def shortest(case: Case, question: Wanted, is_right: Callable[[str], bool]) -> str:
@@ -152,7 +144,7 @@ def shortest(case: Case, question: Wanted, is_right: Callable[[str], bool]) -> s
         return _matrix(_written(question, truth.rows, exercise, "short"))
     for digits in (MOST_DECIMALS, 2 * MOST_DECIMALS):
         cells = [
-            [rounded(value / _unit(question, exercise, r, c), digits) for c, value in enumerate(row)]
+            [rounded(value / unit_of(question, r, c, exercise), digits) for c, value in enumerate(row)]
             for r, row in enumerate(truth.numbers)
         ]
         if is_right(_matrix(cells)):
@@ -201,10 +193,6 @@ def _matrix(cells: Sequence[Sequence[str]]) -> str:
     if all(len(row) == 1 for row in cells):
         return cells[0][0] if len(cells) == 1 else "[" + ", ".join(row[0] for row in cells) + "]"
     return bracketed(cells)
-
-
-def _unit(question: Wanted, exercise: Exercise, row: int, column: int) -> float:
-    return float(exercise.metres) if is_length(question, row, column) else 1.0
 
 
 def _times(entry: str, factor: str) -> str:

@@ -95,9 +95,9 @@ class Parser(Calls):
         """Make sure that nothing is left over, and that no letter stands both small and capital for one name."""
         super().finish()
         for token in self.tokens:
-            small = token.text[:1].lower() + token.text[1:]
-            if token.text == small or token.kind != "word" or canonical(token.text) not in self.scope.aliases:
+            if token.kind != "word" or not token.text[0].isupper() or canonical(token.text) not in self.scope.aliases:
                 continue
+            small = token.text[0].lower() + token.text[1:]
             if any(other.text == small for other in self.tokens):
                 raise self.error(f"{token.text} stands beside {small}: are they the same?", "write one of them", token)
 

@@ -60,6 +60,11 @@ def write_angle(angle: Angle, style: str = "short", joints: Joints = THETAS) -> 
     return _Writer(STYLES[style], joints).angle(angle, spaced=True)
 
 
+def write_value(value: Angle | Expr, style: str = "short", joints: Joints = THETAS) -> str:
+    """Write an angle or an expression."""
+    return write_angle(value, style, joints) if isinstance(value, Angle) else write(value, style, joints)
+
+
 def write_number(value: Fraction, places: int | None = None) -> str:
     """Write an exact number: with decimals if it has that many places, else as a fraction.
 

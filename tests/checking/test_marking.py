@@ -20,7 +20,7 @@ from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.marked import SheetMark
 from dhcli.checking.orientations import angle_between, not_orthonormal
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals
-from dhcli.checking.verdicts import TOO_FEW, Mark, Verdict
+from dhcli.checking.verdicts import Mark, Verdict, too_few
 from dhcli.errors import DhcliError, UnknownNameError
 from dhcli.files.library.lookup import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
@@ -199,13 +199,16 @@ def test_fewer_digits_than_the_tolerance_wants_are_rounded_and_earn_all(places: 
     assert (judged.verdict, judged.earned) == (Verdict.ROUNDED, 1)
 
 
+FEW = too_few(None)
+
+
 @pytest.mark.parametrize(
     ("answer", "verdict", "remark"),
     [
         ("0.3 0.36 -0.11", Verdict.ROUNDED, "right to the digits typed"),  # 0.3 for 0.299 is within the tolerance
         ("0.30 0.36 -0.11", Verdict.ROUNDED, "right to the digits typed"),
-        ("0.3 0.4 -0.1", Verdict.ROUNDED, TOO_FEW),
-        ("0.3 0.3 -0.1", Verdict.ROUNDED, TOO_FEW),  # cut off
+        ("0.3 0.4 -0.1", Verdict.ROUNDED, FEW),
+        ("0.3 0.3 -0.1", Verdict.ROUNDED, FEW),  # cut off
         ("0.3 0.5 -0.1", Verdict.WRONG, ""),
     ],
 )
@@ -214,8 +217,8 @@ def test_digits_that_are_right_but_too_few_are_told_as_such(answer: str, verdict
     judged = check(load_exercise("zhou/three-r-arm-tip-in-numbers"), "tip", answer)
     assert judged.verdict is verdict
     assert any(said.startswith(remark) for said in judged.remarks) or not remark
-    assert judged.is_too_short == (remark == TOO_FEW)
-    assert (judged.earned == 1) == (verdict is Verdict.ROUNDED and remark != TOO_FEW)
+    assert judged.is_too_short == (remark == FEW)
+    assert (judged.earned == 1) == (verdict is Verdict.ROUNDED and remark != FEW)
 
 
 @pytest.mark.parametrize("degrees", range(5, 90, 5))
@@ -282,7 +285,7 @@ NOT_SHARP = "the axes point the right way, but their direction cosines need more
         ("0.7058", "0.2121", Verdict.CLOSE, (NOT_SHARP,)),
         ("0.7058", "0.2", Verdict.WRONG, (NOT_SHARP, "the position is off by -0.0121 m along x, -0.0121 m along y")),
         ("0.7", "0.3", Verdict.WRONG, (NOT_SHARP, "the position is off by 0.0879 m along x, 0.0879 m along y")),
-        ("0.7", "0.2", Verdict.ROUNDED, (TOO_FEW,)),
+        ("0.7", "0.2", Verdict.ROUNDED, (FEW,)),
     ],
 )
 def test_too_few_digits_are_no_turned_orientation(

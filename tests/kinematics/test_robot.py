@@ -74,7 +74,8 @@ def test_a_right_robot_exists() -> None:
         ("d2", "prismatic", 2),
     ]
     assert (arm.pattern, arm.frames) == ("RP", ("base", "0", "1", "2", "tool"))
-    assert arm.scope.aliases.items() >= {"q1": "theta1", "q2": "d2"}.items()
+    usual = {"t1": "theta1", "th1": "theta1", "D2": "d2", "A1": "a1"}
+    assert arm.scope.aliases == {"q1": "theta1", "q2": "d2", **usual}
 
 
 @row_by_row(
@@ -199,7 +200,7 @@ def test_a_product_may_hold_several_moves_of_one_joint() -> None:
     assert told(caught.value) == ["links.1: d2^2 is not affine in d2 (write a multiple of d2 plus a constant)"]
 
 
-@row_by_row(
+@pytest.mark.parametrize(
     ("text", "fault"),
     [
         ("[1 0 0 5; 0 1 0 6; 0 0 1 7; 0 0 0 1]", ""),
@@ -234,7 +235,7 @@ def test_frames_have_the_numbers_of_their_links() -> None:
     assert wrist.frames == ("base", "3", "4", "5", "6", "tool")
     assert ends(wrist, None, None) == ("3", "6")
     assert (frame(wrist, 4), frame(wrist, " TOOL ")) == ("4", "tool")
-    assert wrist.scope.aliases.items() >= {"q4": "theta4", "q5": "theta5", "q6": "theta6"}.items()
+    assert {alias for alias, name in wrist.scope.aliases.items() if name == "theta4"} == {"q4", "t4", "th4"}
 
 
 @pytest.mark.parametrize("name", [7, "2", "x", "", -1])

@@ -13,7 +13,7 @@ from dhcli.checking.entries import Entries, entries_text
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.numeric import in_other_unit
 from dhcli.checking.returned import Causes
-from dhcli.checking.truth import is_length, truth_of
+from dhcli.checking.truth import entries_on_sheet, truth_of, unit_of
 from dhcli.checking.wanted import Wanted
 from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.writer import write
@@ -71,22 +71,12 @@ def typed_text(case: Case, work: Work) -> str:
     """What a student types: expressions, or numbers in the unit of the sheet to six decimals."""
     exercise, question = case.exercise, work.question
     if not exercise.numeric:
-        rows = [
-            [
-                write(
-                    exercise.on_sheet(entry) if is_length(question, r, c) else entry,
-                    "short",
-                    exercise.writing,
-                )
-                for c, entry in enumerate(row)
-            ]
-            for r, row in enumerate(terms(work, {}))
-        ]
+        typed = entries_on_sheet(question, terms(work, {}), exercise)
+        rows = [[write(entry, "short", exercise.writing) for entry in row] for row in typed]
     else:
-        unit = float(exercise.metres)
         entries = search_of(question, case.memo).entries(work)
         rows = [
-            [_six_decimals(entry / unit if is_length(question, r, c) else entry) for c, entry in enumerate(row)]
+            [_six_decimals(entry / unit_of(question, r, c, exercise)) for c, entry in enumerate(row)]
             for r, row in enumerate(entries)
         ]
     return entries_text(rows)

@@ -26,13 +26,12 @@ from dhcli.errors import Place, RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.geometry.euler import Order
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.values import numbers
+from dhcli.kinematics.values import numbers, symbols_of
 from dhcli.notation.angle import Angle
 from dhcli.notation.commas import with_points
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.walk import symbols
 from dhcli.regex import regex
 
 if TYPE_CHECKING:
@@ -135,7 +134,7 @@ class OrientationQuestion(Question[Turn]):
                 value = to_angle(expr, bare="deg") if k in self.form.angles else to_length(expr)
             except DimensionError as error:
                 raise UnreadableError(f"{name}: {error.message}") from None
-            inside = value.names if isinstance(value, Angle) else symbols(value)
+            inside = symbols_of(value)
             check_names(exercise, inside)
             if missing := sorted(inside - exercise.values.keys()):
                 raise UnreadableError(f"{name}: a number was asked, and {missing[0]} has no value")

@@ -37,6 +37,14 @@ _EITHER = regex(
 _ONE_OF = regex(r"\s*(?:∈|\\in\b|(?<=[\w}\s])in(?=\s*\\?\{))\s*\\?\{(?P<values>[^{}]{1,99}?)\\?\}")
 """`θ2 ∈ {0, π}`: one of these."""
 
+_WHOLE = regex(
+    r"[,;]?\s{0,9}(?:(?:with|where|for|\()\s{0,9})?(?<![^\W_])[knm]\s{0,9}(?:∈|\\in\b|in\b)"
+    r"\s{0,9}(?:ℤ|Z\b|\\mathbb\s?\{?Z\}?)\s?\)?"  # noqa: RUF001
+)
+"""What is said of n behind `n*180°`: that it is whole."""
+_THAT_IS = regex(r",?\s*(?:\bi\.\s?e\.,?|⇒|⟹|=>)\s*")
+"""The same in other words: `s2 = 0, i.e. theta2 = 0 or 180°`."""
+
 HALF_TURN, TURN = 180, 360
 LONGEST = 2000
 MOST = 64
@@ -77,6 +85,7 @@ def read_conditions(text: str, exercise: Exercise, place: Place | None, *, joine
         raise UnreadableError(f"an answer of more than {LONGEST} characters is not read")
     if text.strip().lower() in ("never", "nowhere"):
         return ()
+    text = _THAT_IS.sub(", ", _WHOLE.sub("", text))
     text = _ONE_OF.sub(lambda one: f" = {' or '.join(one['values'].split(','))}", text.strip())
     found: list[Condition] = []
     for group in _groups(text.strip("{}[]"), joined=joined):

@@ -13,7 +13,7 @@ from dhcli.checking.motion.reading import as_read
 from dhcli.checking.other_unit import InUnit, judged_in, plainly_in
 from dhcli.checking.symbolic import about_equal, counterexample, has_decimals, same
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals, without_unit
-from dhcli.checking.verdicts import AGREEING, APPROXIMATE, TO_DIGITS, TOO_FEW, UNSOLVED, CellMark, Mark, Verdict, worst
+from dhcli.checking.verdicts import AGREEING, APPROXIMATE, TO_DIGITS, UNSOLVED, CellMark, Mark, Verdict, too_few, worst
 from dhcli.notation.writer import write
 
 
@@ -30,7 +30,7 @@ def mark_grid(case: Case, right: Grid, entries: Entries) -> Mark:
     other = None if mark.verdict in AGREEING else in_other_unit(case, right, entries, mark.cells)
     if other is None:
         is_short = mark.verdict in UNSOLVED and _agrees_to_digits(exercise, right, entries, mark.cells)
-        return replace(mark, remarks=(TOO_FEW,)) if is_short else mark
+        return replace(mark, remarks=(too_few(case.tolerance.decimals),)) if is_short else mark
     power = {power for row in right.powers for power in row if power}
     return judged_in(other, mark, exercise.unit, {2: "²", 3: "³"}.get(power.pop(), "") if len(power) == 1 else "")
 

@@ -126,7 +126,26 @@ def _statements(text: str, asked: Sequence[str]) -> list[str]:
         match = _STATEMENT.fullmatch(statement)
         return match is None or canonical(match["name"].replace(" ", "")) in asked
 
-    return sorted(every, key=answers)
+    asked_for = [statement for statement in every if answers(statement)]
+    return [*_in_order([statement for statement in every if not answers(statement)]), *asked_for]
+
+
+def _in_order(definitions: list[str]) -> Iterator[str]:
+    """Definitions, each behind those that it uses: `D = r^2 - a1, r^2 = px^2 + py^2`; in a circle, as they stand."""
+    left = list(definitions)
+    while left:
+        free = (one for one in left if not any(_uses(one, two) for two in left if two != one))
+        chosen = next(free, left[0])
+        left.remove(chosen)
+        yield chosen
+
+
+def _uses(one: str, other: str) -> bool:
+    """Whether what one definition defines something by is the name that another one defines."""
+    name = other.partition("=")[0].strip()
+    square = _SQUARE.fullmatch(name)
+    base = re.escape(square["base"] if square else name)
+    return re.search(rf"(?<![^\W\d]){base}(?![A-Za-z0-9_])", one.partition("=")[2]) is not None
 
 
 def _values(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: Fraction) -> list[Expr]:

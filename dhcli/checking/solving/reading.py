@@ -15,14 +15,13 @@ from dhcli.checking.units import has_length_unit
 from dhcli.errors import DhcliError, Place, UnknownNameError, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.values import joint_called, numbers
+from dhcli.kinematics.values import joint_called, numbers, symbols_of
 from dhcli.notation.angle import Angle
 from dhcli.notation.commas import comma_remark, with_points
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_plain_length
 from dhcli.notation.tree import Expr, Symbol
-from dhcli.notation.walk import symbols
 from dhcli.regex import regex
 
 _LABEL = regex(r"(?P<name>[^\W\d]\w*)\s*=(?!=)")
@@ -202,7 +201,7 @@ def _vector(exercise: Exercise, robot: Robot, joints: Sequence[str], row: Sequen
             value = to_angle(expr, bare="deg") if turns else to_plain_length(number)
         except DimensionError as error:
             raise UnreadableError(f"{name}: {error.message}") from None
-        inside = value.names if isinstance(value, Angle) else symbols(value)
+        inside = symbols_of(value)
         check_names(exercise, inside)
         if missing := sorted(inside - known.keys()):
             raise UnreadableError(f"{name}: a number was asked, and {missing[0]} has no value")

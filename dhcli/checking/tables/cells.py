@@ -22,7 +22,7 @@ from dhcli.notation.matrix import bracketed
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Number
 from dhcli.notation.walk import symbols
-from dhcli.notation.writer import write, write_angle
+from dhcli.notation.writer import write_value
 
 STEP = 15
 """Twists and offsets are drawn in multiples of so many degrees, or given by name."""
@@ -42,7 +42,7 @@ def mark_cells(
 
 def spelled(value: Value, joints: Joints) -> str:
     """A cell as a person would type it."""
-    return write_angle(value, "short", joints) if isinstance(value, Angle) else write(value, "short", joints)
+    return write_value(value, "short", joints)
 
 
 def dh_table_text(rows: Sequence[Row], columns: Sequence[str], joints: Joints) -> str:

@@ -12,8 +12,7 @@ from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.inverse.motions import POINT
 from dhcli.kinematics.inverse.solutions import Solutions, shown_beyond
 from dhcli.kinematics.inverse.steps import All, Equation, One, Step, Two
-from dhcli.notation.angle import Angle
-from dhcli.notation.writer import write, write_angle
+from dhcli.notation.writer import write_value
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.prepared import Prepared
@@ -60,9 +59,7 @@ def explained(found: Solutions) -> Explanation:
     steps = [_step(found.ready, step, names) for step in plan.steps]
     joints = found.robot.writing
     moves = tuple(
-        f"{name} = {write_angle(value, 'full', joints) if isinstance(value, Angle) else write(value, 'full', joints)}"
-        for name, value in found.shared.items()
-        if name in names
+        f"{name} = {write_value(value, 'full', joints)}" for name, value in found.shared.items() if name in names
     )
     return Explanation(plan.rules, moves, (*held, *steps), tuple(_limits(found)))
 

@@ -22,10 +22,9 @@ from dhcli.kinematics.describe.straight import Straightened
 from dhcli.kinematics.describe.words import Step
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import spelled
-from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number, Symbol, multiply
 from dhcli.notation.walk import symbols
-from dhcli.notation.writer import write, write_angle
+from dhcli.notation.writer import write, write_value
 from dhcli.regex import regex
 from dhcli.render.look import Look
 from dhcli.render.text.matrix import matrix_lines
@@ -120,10 +119,7 @@ def description_content(result: Described, look: Look) -> dict[str, Any]:
 def _shared(result: Described) -> dict[str, str]:
     """What each joint of the drawing moves by that has no variable of its own, written out."""
     joints = result.given.writing
-    return {
-        name: write_angle(value, "full", joints) if isinstance(value, Angle) else write(value, "full", joints)
-        for name, value in result.shared.items()
-    }
+    return {name: write_value(value, "full", joints) for name, value in result.shared.items()}
 
 
 def _straightened_content(straight: Straightened) -> dict[str, Any]:

@@ -11,10 +11,9 @@ from dhcli.errors import plural
 from dhcli.kinematics.conventions import NAMES, ORDER, Convention
 from dhcli.kinematics.moves import Chain, angle_names, expressions, spelled
 from dhcli.kinematics.robot import Joint, Link, Robot
-from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
 from dhcli.notation.walk import symbols
-from dhcli.notation.writer import write, write_angle
+from dhcli.notation.writer import write, write_value
 from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
@@ -127,12 +126,7 @@ def _joint_content(robot: Robot, joint: Joint) -> dict[str, Any]:
 
 def _row(robot: Robot, link: Link, style: str) -> list[str]:
     """The cells of a DH row in the order of the file."""
-    cells = []
-    for column in robot.columns:
-        value = getattr(link.row, column)
-        is_angle = isinstance(value, Angle)
-        cells.append(write_angle(value, style, robot.writing) if is_angle else write(value, style, robot.writing))
-    return cells
+    return [write_value(getattr(link.row, column), style, robot.writing) for column in robot.columns]
 
 
 def product_text(link: Link, look: Look) -> str:

@@ -2,7 +2,7 @@ import pytest
 
 from dhcli import check, load_exercise
 from dhcli.checking.diagnosis.chance import Evidence, is_chance
-from dhcli.checking.verdicts import TOO_FEW, Verdict
+from dhcli.checking.verdicts import Verdict, too_few
 
 SHEET = load_exercise("puma560-at-work-in-mm")
 ELBOW = load_exercise("three-r-arm-tip-in-numbers")
@@ -49,7 +49,7 @@ def test_a_slip_in_metres_on_a_sheet_in_millimetres_is_named() -> None:
 def test_too_few_digits_have_no_name() -> None:
     """What is right as far as it was typed holds no slip."""
     judged = check(SHEET, "approach", "-0.3, 0.3, -0.9")
-    assert judged.remarks == (TOO_FEW,)
+    assert judged.remarks == (too_few(None),)
     assert judged.diagnosis is None
 
 
