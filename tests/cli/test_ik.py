@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -241,6 +242,22 @@ def test_a_derivation_has_these_keys_in_json(dhcli: Run) -> None:
     keys = {"rule", "unknown", "equations", "value", "plus_minus", "or_half_a_turn_more", "condition", "instead"}
     assert all(set(step) == keys for step in data["steps"])
     assert [step["unknown"] for step in data["steps"]][:4] == ["theta1", "theta3", "theta2 + theta3", "theta2"]
+
+
+def test_a_urdf_has_the_formulas_of_its_table(dhcli: Run, tmp_path: Path) -> None:
+    """Its links end where its maker drew them; a table has a frame where the wrist can be taken off."""
+    path = tmp_path / "arm.urdf"
+    assert dhcli("describe", "ur5e", "--as", "urdf", "-o", str(path)).code == 0
+    done = dhcli("ik", str(path), "--code", "python")
+    assert done.code == 0
+    assert "the formulas are those of its DH table" in done.err
+    space: dict[str, Any] = {}
+    exec(done.out, space)  # noqa: S102  our own output, as a user runs it
+    robot, q = load_robot("ur5e"), [0.4, -0.7, 0.5, -0.6, 0.8, 1.1]
+    rows = space["inverse"](np.array(forward(robot, q).matrix).tolist())
+    found = inverse(robot, forward(robot, q))
+    assert len(rows) == len(found) == 4
+    assert max(found.distances(row).min() for row in rows) < 1e-9
 
 
 def test_a_derivation_is_written_for_papers_and_programs(dhcli: Run) -> None:

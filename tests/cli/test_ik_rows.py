@@ -63,13 +63,23 @@ def test_a_position_with_an_orientation_is_a_whole_pose(dhcli: Run, form: str, f
 
 def test_what_else_stands_beside_a_position_is_never_left_aside_unsaid(dhcli: Run) -> None:
     """Columns of another program are asked about; the number of a row is none, and a task leaves them aside."""
-    text = "row,p_x,p_y,p_z,qx,qy,qz,qw\n1,0.5,0.2,0,0,0,0,1\n"
+    text = "row,p_x,p_y,p_z,rx,ry,rz\n1,0.5,0.2,0,0,0,0\n"
     done = dhcli("ik", "planar-2r", "--rows", "-", stdin=text)
     assert done.code == 2
-    assert "qx, qy, qz, qw beside a position" in done.err
+    assert "rx, ry, rz beside a position" in done.err
     assert "q_w,q_x,q_y,q_z" in done.err
     assert dhcli("ik", "planar-2r", "--rows", "-", "--task", "position", stdin=text).code == 0
     assert dhcli("ik", "planar-2r", "--rows", "-", stdin="row,p_x,p_y,p_z\n1,0.5,0.2,0\n").code == 0
+
+
+def test_columns_may_be_called_as_others_call_them(dhcli: Run) -> None:
+    """The same as `fk` calls them; the same twice is refused."""
+    row = "0.4,0.1,0.3,0,1,0,0\n"
+    own = dhcli("ik", "ur5e", "--rows", "-", stdin="p_x,p_y,p_z,q_w,q_x,q_y,q_z\n" + row)
+    assert own.code == 0
+    for heads in ("x,y,z,qw,qx,qy,qz", "px,PY,pz,q_w,q_x,q_y,q_z", "pos_x,pos_y,pos_z,qw,qx,qy,qz"):
+        assert dhcli("ik", "ur5e", "--rows", "-", stdin=f"{heads}\n{row}").out == own.out
+    assert "p_x has two columns" in dhcli("ik", "ur5e", "--rows", "-", stdin="x,p_x,y,z\n1,1,1,1\n").err
 
 
 def test_positions_alone_are_solved_as_positions(dhcli: Run) -> None:
@@ -85,7 +95,7 @@ def test_poses_out_of_reach_have_no_row_and_are_counted(dhcli: Run) -> None:
     """The command ends with 1."""
     done = dhcli("ik", "planar-2r", "--rows", "-", stdin="p_x,p_y,p_z\n0.5,0.2,0\n9,0,0\n")
     assert done.code == 1
-    assert "1 of 2 poses have no solution, and no row" in done.err
+    assert "1 of 2 poses has no solution, and no row" in done.err
     assert {row[0] for row in csv.reader(io.StringIO(done.out))} == {"row", "2"}
 
 
@@ -97,7 +107,7 @@ def test_poses_out_of_reach_have_no_row_and_are_counted(dhcli: Run) -> None:
         (("--rows", "-", "--each", "best"), "p_x,p_y,p_z\n", "there is no best of solutions"),
         (("--rows", "-", "--pose", "ready"), "p_x,p_y,p_z\n", "--pose does not go with --rows"),
         (("--rows", "no-such.csv"), None, "no-such.csv: there is no such file"),
-        (("--rows", "-"), "x,y\n1,2\n", "no column is called p_x, p_y, p_z"),
+        (("--rows", "-"), "a,b\n1,2\n", "no column is called p_x, p_y, p_z"),
         (("--rows", "-"), "p_x[deg],p_y,p_z\n1,2,3\n", "deg is a unit of angle, and p_x is a length"),
         (("--rows", "-"), "p_x,p_y[ft],p_z\n1,2,3\n", "standard input:1:5: ft is no unit"),
         (("--rows", "-"), "p_x,p_y,p_z,q_w[deg],q_x,q_y,q_z\n1,2,3,1,0,0,0\n", "q_w has no unit, and not deg"),

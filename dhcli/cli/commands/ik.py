@@ -124,7 +124,10 @@ def _derived(chosen: Chosen, word: str | None, goal: Goal, which: Which, out: Wr
         check_alone("--derive", others)
         delivery = out.delivery("ik", kind)
     arm = robot_of(chosen)
-    delivery.hand_over(kind, derived(arm, _one(goal, word), chosen, with_own=out.with_values))
+    found, remarks = derived(arm, _one(goal, word), chosen, with_own=out.with_values), list[str]()
+    if (form := found.robot.convention) is not arm.convention:
+        remarks = [f"the formulas are those of its DH table: dhcli describe {arm.typed} --as {form.value} shows it"]
+    delivery.hand_over(kind, found, remarks)
     return ExitStatus.DONE
 
 

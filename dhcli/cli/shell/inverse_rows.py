@@ -89,7 +89,8 @@ def inverse_rows(wanted: PoseWish, source: Source, delivery: RowDelivery, bad: B
     if said:
         say(warning_line(said, paper))
     if lost:
-        say(warning_line(f"{lost} of {plural(total, 'pose')} have no solution, and no row", paper))
+        have = "has" if lost == 1 else "have"
+        say(warning_line(f"{lost} of {plural(total, 'pose')} {have} no solution, and no row", paper))
     return lost
 
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import astuple, replace
 from typing import TYPE_CHECKING
 
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.joints import typed_joints
 from dhcli.cli.shell.wishes import Goal
-from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean
+from dhcli.errors import DhcliError, Place, Problem, RobotError, UnknownNameError, did_you_mean
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import joint_values
@@ -74,7 +75,7 @@ def derived(robot: Robot, goal: Goal, chosen: Chosen, *, with_own: bool = False)
     """
     from dhcli.cli.shell.given import lengths_of
     from dhcli.kinematics.forward import with_values
-    from dhcli.kinematics.inverse.derive import derive
+    from dhcli.kinematics.inverse.derive import NoFormError, derive
 
     if any((chosen.q, chosen.pose, *astuple(replace(goal, task=None)))):
         raise DhcliError("a derivation is in letters and takes no pose", "leave it out, or --derive and --code")
@@ -82,4 +83,30 @@ def derived(robot: Robot, goal: Goal, chosen: Chosen, *, with_own: bool = False)
         raise DhcliError(Problem(f"a derivation knows no task {goal.task}", Place("--task"), "pose or position"))
     own = robot.known if with_own else {}
     robot = with_values(robot, {**own, **lengths_of(robot, chosen, symbolic=True)})
-    return derive(robot, start=chosen.from_, end=chosen.end, task=goal.task or "")
+    try:
+        return derive(robot, start=chosen.from_, end=chosen.end, task=goal.task or "")
+    except NoFormError:
+        found = None if chosen.from_ or chosen.end else _derived_as_table(robot, goal.task or "")
+        if found is None:
+            raise
+        return found
+
+
+def _derived_as_table(robot: Robot, task: str) -> Derivation | None:
+    """The formulas for the DH table of a robot that is given by products, as a URDF is; None where there are none.
+
+    Its joint values are the same, and its frames stand where the wrist can be taken off.
+    """
+    from dhcli.kinematics.conventions import Convention
+    from dhcli.kinematics.describe.asked import Asked
+    from dhcli.kinematics.describe.description import describe  # few robots have no formulas as they are
+    from dhcli.kinematics.inverse.derive import derive
+
+    if robot.convention is not Convention.PRODUCT:
+        return None
+    for form in ("standard", "modified"):
+        with suppress(RobotError):
+            table = describe(robot, Asked(form))
+            if not table.shared:
+                return derive(table.robot, start="base", end="tool", task=task)
+    return None

@@ -115,6 +115,12 @@ class PoseTable:
         return PoseColumns(form, order, wanted, (times, over), len(heads))
 
 
+_CALLED = {
+    **{name: f"p_{name[-1]}" for axis in "xyz" for name in (axis, f"p{axis}", f"pos_{axis}")},
+    **{f"q{part}": f"q_{part}" for part in "wxyz"},
+}
+"""What others call the same columns."""
+
 _KNOWN = frozenset((*MATRIX, *POSITION, *(name for names in TURNS.values() for name in names)))
 
 
@@ -130,7 +136,7 @@ def heads_of(cells: Sequence[str], places: Sequence[Place]) -> tuple[list[str], 
             head, unit = name_and_unit(cell, place)
         except RobotError:
             head, unit = cell.strip(), ""
-        heads.append(head.lower())
+        heads.append(_CALLED.get(head.lower(), head.lower()))
         units.append(unit)
     return heads, units
 

@@ -77,11 +77,17 @@ def completed(begun: Plan) -> Plan:
     """
     samples, arm = Samples(begun.actions), begun.actions.arm
     known, steps, slack = begun.known, list(begun.steps), begun.slack
+    is_first = True
     while missing := [j for j in range(arm.joints) if j not in known]:
         unknown = [j for j in range(len(arm.axes)) if j not in known]
         loop = samples.loop(known)
         step: Step | None = find_one(samples, loop, unknown, missing)
         step = step or find_two(samples, loop, unknown, missing) or find_all(samples, loop, unknown)
+        if step is None and is_first and len(steps) > len(begun.steps):
+            # a joint that was read off alone may leave five that no three follow from; with it they are six
+            known, steps, slack, is_first = begun.known, list(begun.steps), begun.slack, False
+            unknown = [j for j in range(len(arm.axes)) if j not in known]
+            step = find_all(samples, samples.loop(known), unknown)
         if step is None:
             raise NoPlanError(", ".join(arm.axes[j].name for j in missing))
         steps.append(step)

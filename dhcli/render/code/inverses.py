@@ -36,8 +36,8 @@ from dhcli.render.code.stages import Stage, Stages, entries_used, lengths_used, 
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words
 
-_ONE = "1 + 1e-12"
-"""A cosine up to this is one of 1: that of an arm stretched out is 1 but for rounding."""
+_ONE = "1 + 1e-9"
+"""A cosine up to this is one of 1: that of an arm stretched out is 1 but for rounding, of a pose in a file too."""
 
 _NOTHING = "1e-9"
 """A sine and a cosine up to this say nothing of their angle."""

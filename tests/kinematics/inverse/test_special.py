@@ -105,3 +105,14 @@ def test_nearly_no_arm_at_right_angles_loses_its_own_joint_values() -> None:
             q[slide : slide + 1] = 0.2
             lost += not is_found(robot, q)
     assert lost <= arms * 4 / 100
+
+
+def test_a_joint_read_off_alone_does_not_keep_the_others_from_being_found() -> None:
+    """Two pairs of parallel axes and a slide: behind theta6 no three joints follow from two others, with it they do."""
+    rows = "0 0.1 0 theta, -60 0.2 0.3 theta, 30 0 d 90°, 0 0.2 0.3 theta, 90 0.2 0.3 theta, 60 0 0 theta"
+    robot = drawn("standard", rows)
+    draw = np.random.default_rng(0)
+    for _ in range(4):
+        q = draw.uniform(-3, 3, 6)
+        q[2] = draw.uniform(-0.4, 0.4)
+        assert is_found(robot, q)
