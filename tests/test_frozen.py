@@ -253,6 +253,19 @@ def test_an_heir_finishes_in_its_own_way() -> None:
         assert Checked(1).late == ("of", 1, 3, "a")
 
 
+def test_a_dataclass_inherits_from_it() -> None:
+    """Its fields come first, by position, as those of a dataclass do."""
+    for classes in (OURS, THEIRS):
+
+        @dataclass(frozen=True, slots=True)
+        class Heir(classes["Point"]):  # type: ignore[misc]
+            z: object = 3
+
+        assert repr(Heir(1, 2)).endswith("Heir(x=1, y=2, z=3)")
+        assert Heir(1, y=2) == replace(Heir(1), y=2)
+        assert [each.kw_only for each in fields(Heir)] == [False] * 3
+
+
 def test_a_default_that_can_be_changed_is_refused() -> None:
     """It would be changed for all."""
     for make in (frozen, slotted):
