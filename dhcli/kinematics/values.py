@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.kinematics.derived import Value, in_floats, replaced
 from dhcli.kinematics.description import Description
-from dhcli.kinematics.given import mapping_of
+from dhcli.kinematics.given import mapping_of, real
 from dhcli.kinematics.moves import Chain, names
 from dhcli.notation.angle import Angle
 from dhcli.notation.brackets import OPENING, split
@@ -235,10 +235,10 @@ def _value(robot: Description, name: str, value: float | str | Value, bare: Bare
     if isinstance(value, str):
         return read_named(robot, name, value, bare=bare, place=place or Place(name))
     try:
-        number = float(value)
+        number = real(value)
     except (TypeError, ValueError):
-        hint = "forward_batch takes a row for each pose"
-        raise RobotError(Problem(f"{name} wants one number, not {value!r}", place, hint)) from None
+        hint = "forward_batch takes a row for each pose" if isinstance(value, Iterable) else ""
+        raise RobotError(Problem(f"{name} wants one number, not {value!r:.60}", place, hint)) from None
     except OverflowError:
         raise RobotError(Problem(f"{name} is beyond what a float can hold", place)) from None
     if not math.isfinite(number):
