@@ -160,7 +160,8 @@ def joint_called(robot: Description, name: str, place: Place | None = None) -> s
         for variable in robot.variables:
             if canonical(variable) == canonical(candidate):
                 return variable
-    raise RobotError(Problem(f"{robot.name} has no joint {name:.60}", place, did_you_mean(name, robot.variables)))
+    hint = did_you_mean(name, (*robot.variables, *robot.called.values())) or did_you_mean(name, robot.variables)
+    raise RobotError(Problem(f"{robot.name} has no joint {name:.60}", place, hint))
 
 
 def _from_text(robot: Description, text: str, bare: Bare, place: Place) -> dict[str, Value]:
