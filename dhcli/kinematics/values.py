@@ -211,9 +211,12 @@ def _split(text: str) -> Iterator[tuple[int, str]]:
 
 
 def _between_blanks(robot: Description, text: str) -> list[tuple[int, str]]:
-    """A value for each joint with only blanks between them, `0.3 30° 0,1`, with offsets; nothing if it is not that."""
+    """A value for each joint with only blanks or semicolons between them, with offsets; nothing if it is not that.
+
+    `0.3 30° 0,1` and `0,3; 0,5; 0,1`: a comma between such values is a decimal one.
+    """
     inner = re.sub(r"^\s*\[|\]\s*$", " ", text)
-    pieces = [(found.start(), found[0]) for found in re.finditer(r"\S+", inner)]
+    pieces = [(found.start(), found[0]) for found in re.finditer(r"[^\s;]+", inner)]
     named = all(_ASSIGNS.search(piece) for _, piece in pieces)
     if not all(_ONE_VALUE.fullmatch(piece) for _, piece in pieces):
         return []

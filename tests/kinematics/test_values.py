@@ -52,6 +52,8 @@ def metres(value: str) -> Value:
         ("0 30° 432mm", (degrees(0), degrees(30), metres("0.432"))),
         ("[ 0.1 -0.2 .3 ]", (radians("0.1"), radians("-0.2"), metres("0.3"))),
         ("0,1 0,2 0,3", (radians("0.1"), radians("0.2"), metres("0.3"))),
+        ("0,1; 0,2;0,3", (radians("0.1"), radians("0.2"), metres("0.3"))),
+        ("0.1;0,2;0.3;", (radians("0.1"), radians("0.2"), metres("0.3"))),
         ("q1=0.1 d3=0.3 q2=pi/2", (radians("0.1"), degrees(90), metres("0.3"))),
         ("theta1=30°, theta2=0, d3=0", (degrees(30), degrees(0), metres("0"))),
         ("q3=0.1, q1=30°, θ2=-90°", (degrees(30), degrees(-90), metres("0.1"))),
