@@ -13,7 +13,13 @@ from types import FrameType
 from dhcli.cli.shell.console import GuardedStream, complain, finish
 from dhcli.errors import DhcliError, ExitStatus, Place, Problem, bug
 
-INSTEAD = {"--force": "--overwrite", "--symbolic": "--derive", "-s": "--derive"}
+INSTEAD = {
+    "--force": "--overwrite",
+    "--symbolic": "--derive",
+    "-s": "--derive",
+    "--linear": "--velocity",
+    "--omega": "--angular",
+}
 """What some commands have instead of an option that is typed in vain."""
 
 BUGS = "please report it with the command you typed; DHCLI_DEBUG=1 shows where it happened"
@@ -94,6 +100,8 @@ def usage_problem(error: Exception) -> Problem:
             if (instead := INSTEAD.get(option)) in takes:
                 similar = [str(instead)]
             hint = f"did you mean {' or '.join(similar)}?; {hint}" if similar else hint
+            if option == "--rows" and "--q" in known:
+                hint = f"one pose is taken, --q VALUES; fk, jacobian, ik and draw take the rows of a file; {hint}"
     elif message.startswith("No such command"):
         wanted = message.split("'")[1]
         message = f"there is no command {wanted}"
