@@ -294,6 +294,10 @@ def _setstate(self: Any, state: Iterable[object]) -> None:  # noqa: ANN401  the 
         object.__setattr__(self, name, value)
 
 
+def _replace(self: Any, /, **changes: object) -> object:  # noqa: ANN401  the same; `help` shows what stands here
+    return replace(self, **changes)
+
+
 class _Signature:
     """What `help` shows in the brackets of a class, put together when someone asks."""
 
@@ -323,6 +327,6 @@ _BODY: dict[str, object] = {
     "__getstate__": _getstate,
     "__setstate__": _setstate,
     "__signature__": _Signature(),
-    "__replace__": replace,
+    "__replace__": _replace,
 }
 """What every class has that is made here."""

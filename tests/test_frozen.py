@@ -4,6 +4,7 @@ import copy
 import inspect
 import pickle
 import pprint
+import pydoc
 from collections.abc import Callable
 from dataclasses import FrozenInstanceError, dataclass, field, fields, is_dataclass, replace
 from functools import cached_property
@@ -279,5 +280,6 @@ def test_a_default_that_can_be_changed_is_refused() -> None:
 def test_it_is_replaced_by_copy_where_python_can() -> None:
     """`copy.replace` came with Python 3.13."""
     assert Kept(1).__replace__(x=2) == Kept(2)  # type: ignore[attr-defined]
+    assert "class C" not in pydoc.plain(pydoc.render_doc(Kept))  # which is the example of `dataclasses.replace`
     if hasattr(copy, "replace"):
         assert copy.replace(Kept(1), x=2) == Kept(2)
