@@ -14,6 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import dhcli
 from dhcli import inverse, load_robot
 from dhcli.frozen import frozen
 from tests.row_by_row import row_by_row
@@ -165,6 +166,13 @@ def test_what_is_made_anew_each_time_can_be_left_out_by_the_signature() -> None:
         for made in (OURS, THEIRS)
     )
     assert ours == theirs
+
+
+@pytest.mark.parametrize("name", dhcli.__all__)
+def test_no_signature_of_the_library_tells_where_something_lies_in_memory(name: str) -> None:
+    """A default that says so would be another in each process."""
+    if callable(thing := getattr(dhcli, name)):
+        assert " at 0x" not in str(inspect.signature(thing))
 
 
 @row_by_row(("name", "values", "named"), CALLS)
