@@ -115,6 +115,9 @@ class Operators(Cursor, ABC):
             return self._power(unit, self.advance()) if self.at("^") else unit
         if token.kind == "number":
             self._check_number(before)
+            if token.text.startswith(".") and before.kind == "word" and not token.spaced:
+                hint = f"write {before.text}{token.text[1:]}, or {before.text}*0{token.text}"
+                raise self.error(f"{before.text}{token.text} may be a name or a product", hint, before)
         elif token.kind == "word" and before.kind == "number" and before.text == "0" and not token.spaced:
             raise self.error(f"0{token.text} is not a number that is read", "write it in decimal digits", before)
         return self.expression(_PRODUCT)
