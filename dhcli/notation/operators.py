@@ -161,10 +161,11 @@ class Operators(Cursor, ABC):
         mantissa, _, exponent = token.text.lower().partition("e")
         if len(mantissa) > LONGEST_NUMBER or len(exponent) > 3 or abs(int(exponent or 0)) > LONGEST_NUMBER:  # noqa: PLR2004
             raise self.error(f"a number with more than {LONGEST_NUMBER} digits is not read", "", token)
-        if exponent and self.scope.has("e"):
+        name = next((name for name in ("e", f"e{exponent}") if exponent and self.scope.has(name)), "")
+        if name:
             raise self.error(
-                f"{token.text} could be a power of ten or a multiple of the length e",
-                f"write {mantissa}*e or {float(token.text):g}",
+                f"{token.text} could be a power of ten or a multiple of the length {name}",
+                f"write {mantissa}*{name} or {float(token.text):g}",
                 token,
             )
         places = len(mantissa.partition(".")[2]) - int(exponent or 0)
