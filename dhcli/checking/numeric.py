@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import replace
 
 from dhcli.checking.entries import Entries, Entry, in_unit_of, values_of
@@ -107,17 +106,22 @@ def mark_numbers(
         for r in range(len(typed))
         for c in range(len(typed[r]))
     )
+    agree = _agree_to_digits(question, truth, entries, exercise)
+    is_short = all(cell.verdict is Verdict.RIGHT or (cell.row, cell.column) in agree for cell in cells)
+    enough = {place for place, decimals in agree.items() if decimals >= LEAST_DECIMALS}
+    cells = tuple(
+        replace(cell, verdict=Verdict.ROUNDED)
+        if cell.verdict is not Verdict.RIGHT and (cell.row, cell.column) in enough
+        else cell
+        for cell in cells
+    )
     verdict = worst(cell.verdict for cell in cells)
-    unit = float(exercise.metres)
-    if verdict in UNSOLVED and _is_rounded(question, truth, entries, typed, limits, unit):
-        verdict = Verdict.ROUNDED
     if verdict is Verdict.ROUNDED:
-        cells = tuple(replace(c, verdict=Verdict.ROUNDED) if c.verdict is not Verdict.RIGHT else c for c in cells)
         remarks: tuple[str, ...] = (TO_DIGITS,)
+    elif verdict in UNSOLVED and is_short:
+        remarks = (too_few(tolerance.decimals),)  # no more is wrong: no angle, no distance
     else:
         remarks = _remarks(question, truth.numbers, typed, cells, exercise, _slack(entries))
-        if verdict is not Verdict.RIGHT and _is_rounded(question, truth, entries, typed, limits, unit, least=0):
-            remarks = (too_few(tolerance.decimals),)  # no more is wrong: no angle, no distance
     if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(truth, entries, exercise):
         verdict, remarks = Verdict.ROUNDED, (NOT_EXACT, *remarks)
     return Mark(verdict, cells=cells, remarks=remarks, earned=_earned(question, cells, typed, verdict))
@@ -160,33 +164,26 @@ def _cell(  # noqa: PLR0913, PLR0917  everything an entry is judged by
     return CellMark(row, column, verdict, entry.text, rounded(right / scale), counted=counted)
 
 
-def _is_rounded(  # noqa: PLR0913, PLR0917  everything that digits are judged by
-    question: Wanted,
-    truth: Truth,
-    entries: Entries,
-    typed: Sequence[Sequence[float]],
-    limits: list[list[float]],
-    unit: float,
-    least: int = LEAST_DECIMALS,
-) -> bool:
-    """Whether every entry that is not right is the truth with fewer decimals, so many of them significant at least.
+def _agree_to_digits(
+    question: Wanted, truth: Truth, entries: Entries, exercise: Exercise
+) -> dict[tuple[int, int], int]:
+    """Where entries are the truth with fewer decimals, with how many they show; zeros that everybody has are none.
 
-    Where one of them is, a small entry beside it may have zeros for them: a student who keeps two decimals writes 0.09.
+    Where one number of the answer has two that are significant, a small one beside it may have zeros for them: a
+    student who keeps two decimals writes 0.09. Where none has, nothing is shown.
     """
     assert truth.numbers is not None  # noqa: S101
-    most = 0
-    for r, row in enumerate(typed):
-        for c, value in enumerate(row):
-            right = truth.numbers[r][c]
-            number, scale = without_unit(entries[r][c].typed, unit if is_length(question, r, c) else 1.0)
-            if not truth.is_structural(r, c):
-                most = max(most, significant_decimals(number))
-            if judge(value, right, limits[r][c]) is Verdict.RIGHT:
+    found, most = dict[tuple[int, int], int](), 0
+    for r, row in enumerate(entries):
+        for c, entry in enumerate(row):
+            if truth.is_structural(r, c):
                 continue
-            enough = (typed_decimals(number) or 0) >= least
-            if truth.is_structural(r, c) or not enough or not is_rounding_of(number, right / scale, least=0):
-                return False
-    return most >= least
+            unit = unit_of(question, r, c, exercise)
+            number, scale = without_unit(entry.typed, unit)
+            most = max(most, significant_decimals(number))
+            if is_rounding_of(number, truth.numbers[r][c] / scale, least=0):
+                found[r, c] = typed_decimals(number) or 0
+    return {place: decimals if most >= LEAST_DECIMALS else 0 for place, decimals in found.items()}
 
 
 def _is_exact(truth: Truth, entries: Entries, exercise: Exercise) -> bool:
@@ -215,8 +212,8 @@ def _earned(question: Wanted, cells: tuple[CellMark, ...], typed: Matrix, verdic
     lengths = [cell for cell in cells if is_length(question, cell.row, cell.column)]
     items: list[bool] = []
     if any(_matters(cell) for cell in cosines):
-        items.append(all(cell.verdict is Verdict.RIGHT for cell in cosines))
-    items += [cell.verdict is Verdict.RIGHT for cell in lengths if _matters(cell)]
+        items.append(all(cell.verdict in AGREEING for cell in cosines))
+    items += [cell.verdict in AGREEING for cell in lengths if _matters(cell)]
     return sum(items) / len(items) if items else 0.0
 
 
@@ -234,19 +231,20 @@ def _remarks(
     if not wrong or question.piece not in ("pose", "rotation"):
         return ()
     rotation = [row[:3] for row in typed[:3]]
-    fault = not_orthonormal(rotation, slack)
+    unsharp = [cell for cell in wrong if not is_length(question, cell.row, cell.column)]
+    is_turned = any(cell.verdict in UNSOLVED for cell in unsharp)
+    fault = not_orthonormal(rotation, slack) if is_turned else None
     if fault:
         return (fault,)
     truth = [row[:3] for row in right[:3]]
-    if not near(rotation, truth) and math.degrees(angle_between(rotation, truth)) >= LEAST_TURN:
+    if is_turned and not near(rotation, truth) and math.degrees(angle_between(rotation, truth)) >= LEAST_TURN:
         if not near(transposed(rotation), truth):
             return (turned(rotation, truth),)
         if question.piece == "pose" and is_inverse(typed, right):
             return (INVERSE,)
         return (TRANSPOSED,)
-    unsharp = any(not is_length(question, cell.row, cell.column) for cell in wrong)
     said = ("the axes point the right way, but their direction cosines need more digits",) if unsharp else ()
-    displaced = [cell.row for cell in wrong if is_length(question, cell.row, cell.column)]
+    displaced = [cell.row for cell in wrong if is_length(question, cell.row, cell.column) and cell.verdict in UNSOLVED]
     offsets = [(k, exercise.about(typed[k][3] - right[k][3])) for k in displaced]
     off = ", ".join(f"{offset} along {'xyz'[k]}" for k, offset in offsets if offset.split()[0] != "0")
     if not off:

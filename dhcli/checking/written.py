@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.notation.names import capital, is_greek, usual_aliases
+from dhcli.notation.names import beside, capital, is_greek, usual_aliases
 from dhcli.notation.scope import Scope
 from dhcli.regex import regex
 
@@ -78,7 +78,7 @@ def answer_scope(robot: Robot | None, extra: tuple[str, ...], said: Iterable[str
         joints=own.joints,
         angles=(*own.angles, *(name for name in more if is_greek(name))),
         lengths=(*own.lengths, *(name for name in more if not is_greek(name))),
-        aliases={**_capitals(more, said), **own.aliases},
+        aliases={**_capitals(more, said), **beside(own.aliases, more)},
     )
 
 

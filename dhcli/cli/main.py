@@ -22,6 +22,9 @@ INSTEAD = {
 }
 """What some commands have instead of an option that is typed in vain."""
 
+ELSEWHERE = {"--rows": "rows of a file are read by fk, ik, draw and jacobian"}
+"""Which commands have an option that is looked for in others."""
+
 BUGS = "please report it with the command you typed; DHCLI_DEBUG=1 shows where it happened"
 _STATUS = {"SIGTERM": ExitStatus.TERMINATED, "SIGHUP": ExitStatus.HUNG_UP}
 """The signals that ask a process to end, where the system has them, and the exit code that each leads to."""
@@ -99,9 +102,8 @@ def usage_problem(error: Exception) -> Problem:
             similar = [f"--{word}" for word in nearest(option.lstrip("-"), words, cutoff=0.7)]
             if (instead := INSTEAD.get(option)) in takes:
                 similar = [str(instead)]
-            hint = f"did you mean {' or '.join(similar)}?; {hint}" if similar else hint
-            if option == "--rows" and "--q" in known:
-                hint = f"one pose is taken, --q VALUES; fk, jacobian, ik and draw take the rows of a file; {hint}"
+            near = f"did you mean {' or '.join(similar)}?" if similar else ELSEWHERE.get(option, "")
+            hint = f"{near}; {hint}" if near else hint
     elif message.startswith("No such command"):
         wanted = message.split("'")[1]
         message = f"there is no command {wanted}"

@@ -15,6 +15,7 @@ from dhcli.kinematics.moves import Chain, Fixed, Trans
 from dhcli.kinematics.validity import Finding
 from dhcli.kinematics.values import symbols_of
 from dhcli.mobility.linkage import Linkage
+from dhcli.notation.names import is_greek
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 
@@ -87,13 +88,18 @@ def _of_robot(robot: Description) -> Iterator[_Length]:
     tools = ((("tools", name), chain) for name, chain in robot.tools.items())
     for where, chain in ((("base",), robot.base), (("tool",), robot.tool), *tools):
         yield _Length(where, f"{where[-1]}:", _farthest(chain))
+    slides = {name for name in robot.variables if not is_greek(name)}  # theta2 of a row that has been refused turns
     for name, values in robot.limits.items():
+        if name not in slides:
+            continue
         yield _Length(("limits", name), f"{name}:", max(map(_constant, values)))
     motors = robot.actuators.limits if robot.actuators else {}
     for name, values in motors.items():
         yield _Length(("actuators", "motors", name), f"{name}:", max(map(_constant, values)))
     for pose, joints in robot.poses.items():
         for name, value in zip(robot.variables, joints, strict=False):
+            if name not in slides:
+                continue
             if symbols_of(value) or is_within_limits(robot, name, in_floats(value)):  # else that is told
                 yield _Length(("poses", pose), f"{pose}: {name} =", _constant(value))
 

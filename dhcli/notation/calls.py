@@ -153,14 +153,15 @@ class Calls(Operators):
         return Call(name, tuple(arguments))
 
     def _check_bare(self, name: str, argument: Expr, angle: Angle, token: Token) -> None:
-        """Ask what the 90 of `sin(90 + θ1)` is, for nobody writes 90 radians."""
-        if name.endswith("d") or not angle.terms or abs(angle.radians) <= FULL_TURN_IN_RADIANS:
+        """Ask what the 90 of `sin(90 + θ1)` and of `sin(90)` is, for nobody writes 90 radians."""
+        if name.endswith("d") or abs(angle.radians) <= FULL_TURN_IN_RADIANS:
             return
-        for term in argument.terms if isinstance(argument, Sum) else ():
+        for term in argument.terms if isinstance(argument, Sum) else (argument,):
             if isinstance(term, Number) and abs(term.value) > FULL_TURN_IN_RADIANS:
-                shown = abs(term.value)
+                shown = f"{float(abs(term.value)):g}"
+                of = f"a sum with {shown}" if term is not argument else shown
                 hint = f"write {shown}° for degrees, {shown} rad for radians"
-                raise self.error(f"{name} of a sum with {shown} does not say what {shown} is", hint, token)
+                raise self.error(f"{name} of {of} does not say what {shown} is", hint, token)
 
     def _trigonometry(self, name: str, argument: Expr, token: Token) -> Expr:
         """Cosine, sine or tangent, of an exact angle if the argument is one."""

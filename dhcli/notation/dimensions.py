@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from dhcli.notation.angle import FULL_TURN_IN_RADIANS
 from dhcli.notation.tree import Call, Constant, Expr, Number, Power, Product, Sum, Symbol, Trig, Unit
 from dhcli.notation.walk import rebuild, walk
 
@@ -162,18 +161,3 @@ def _of_call(expr: Call) -> Fraction | None:
 def _called(power: Fraction | None) -> str:
     names = {Fraction(0): "a number", Fraction(1): "a length", Fraction(2): "an area", Fraction(3): "a volume"}
     return names.get(power or Fraction(0), f"a length to the power {power}")
-
-
-def without_bare_turns(expr: Expr) -> Expr:
-    """An expression in which no cosine or sine is of a bare number beyond a turn.
-
-    Raises:
-        DimensionError: One is: nobody means the 30 of sin(30) in radians.
-    """
-    for node in walk(expr):
-        if isinstance(node, Trig) and not node.angle.terms and abs(node.angle.radians) > FULL_TURN_IN_RADIANS:
-            typed = f"{float(abs(node.angle.radians)):g}"
-            raise DimensionError(
-                f"{node.function} of {typed} does not say what {typed} is", f"write {typed}° for degrees"
-            )
-    return expr

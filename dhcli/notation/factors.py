@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Literal
 
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
-from dhcli.notation.dimensions import without_bare_turns
 from dhcli.notation.matrix import read_matrix
 from dhcli.notation.parser import Parser
 from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length, with_unit
@@ -224,6 +223,6 @@ def _length(reading: Reading, tokens: list[Token], close: Token, unit: str = "")
 
 def _in_metres(source: Source, expr: Expr, start: int, unit: str) -> Expr:
     try:
-        return to_plain_length(with_unit(without_bare_turns(expr), unit))
+        return to_plain_length(with_unit(expr, unit))
     except DimensionError as error:
         raise source.error(start, error.message, error.hint) from None

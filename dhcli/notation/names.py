@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 
 from dhcli.errors import did_you_mean
@@ -85,16 +85,23 @@ def parts(name: str) -> tuple[str, str]:
 def usual_aliases(names: Iterable[str]) -> dict[str, str]:
     """What else people write for names, where nothing else has that name: t1 and th1 for theta1, and A1 for a1.
 
-    A capital C or S begins a cosine or a sine, and one without an index may mean something else.
+    A capital C or S begins a cosine or a sine, and one without an index may mean something else. Where there is a t1,
+    t2 is no angle.
     """
-    found: dict[str, str] = {}
+    found, names = dict[str, str](), tuple(names)
     for name in names:
         stem, index = parts(name)
         if stem == "theta":
             found |= {canonical(f"{short}{name.removeprefix('theta')}"): name for short in ("t", "th")}
         elif index and len(stem) == 1 and stem.islower() and stem not in "cs":
             found[capital(name)] = name
-    return found
+    return beside(found, names)
+
+
+def beside(aliases: Mapping[str, str], names: Iterable[str]) -> dict[str, str]:
+    """The aliases that stay where there are other names too: none that begins as one of these does."""
+    stems = {parts(name)[0] for name in names}
+    return {alias: name for alias, name in aliases.items() if parts(alias)[0] not in stems}
 
 
 def capital(name: str) -> str:

@@ -115,6 +115,9 @@ class Operators(Cursor, ABC):
             return self._power(unit, self.advance()) if self.at("^") else unit
         if token.kind == "number":
             self._check_number(before)
+            if token.text.startswith(".") and before.kind == "word" and not token.spaced:
+                hint = f"write {before.text}{token.text[1:]}, or {before.text}*0{token.text}"
+                raise self.error(f"{before.text}{token.text} may be a name or a product", hint, before)
         elif token.kind == "word" and before.kind == "number" and before.text == "0" and not token.spaced:
             raise self.error(f"0{token.text} is not a number that is read", "write it in decimal digits", before)
         return self.expression(_PRODUCT)
@@ -158,10 +161,11 @@ class Operators(Cursor, ABC):
         mantissa, _, exponent = token.text.lower().partition("e")
         if len(mantissa) > LONGEST_NUMBER or len(exponent) > 3 or abs(int(exponent or 0)) > LONGEST_NUMBER:  # noqa: PLR2004
             raise self.error(f"a number with more than {LONGEST_NUMBER} digits is not read", "", token)
-        if exponent and self.scope.has("e"):
+        name = next((name for name in ("e", f"e{exponent}") if exponent and self.scope.has(name)), "")
+        if name:
             raise self.error(
-                f"{token.text} could be a power of ten or a multiple of the length e",
-                f"write {mantissa}*e or {float(token.text):g}",
+                f"{token.text} could be a power of ten or a multiple of the length {name}",
+                f"write {mantissa}*{name} or {float(token.text):g}",
                 token,
             )
         places = len(mantissa.partition(".")[2]) - int(exponent or 0)

@@ -238,7 +238,7 @@ class _Writer:
         if angle.degrees:
             pieces.append(self.degrees(angle.degrees))
         if angle.radians:
-            must = spaced or (angle.terms and abs(angle.radians) > FULL_TURN_IN_RADIANS)  # 90 would be a question
+            must = spaced or abs(angle.radians) > FULL_TURN_IN_RADIANS  # 90 would be a question
             unit = " rad" if must and self.style.degrees is not None and not self.style.latex else ""
             radians = repr(float(angle.radians)) if self.style.decimal else write_number(angle.radians, RADIAN_PLACES)
             pieces.append(radians + unit)

@@ -179,6 +179,10 @@ def test_an_answer_is_read_as_it_is_typed(exercise: str, part: str, answer: str,
         (REACH, "ways", "2 or 4 solutions", "a number of solutions is a whole number"),
         (VALUES, "all", "[2.48 67.98; 59.45 -67.98]^T", "right without the sign of a transposition"),
         (VALUES, "all", "[2.48 59.45; 67.98 -67.98]", "right if the columns are the solutions"),
+        (VALUES, "all", "2.48 59.45\n67.98 -67.98", "right if the columns are the solutions"),
+        (JACOBIAN, "singular", "θ1, θ2 ∈ {0, π}", "theta1 stands without a value before theta2"),
+        (JACOBIAN, "singular", "t1, t2 = 0 or 180°", "theta1 stands without a value before theta2"),
+        (ARM, "d02", "a1 c1 + a2 c1.2, a1 s1 + a2 s12, 0", "c1.2 may be a name or a product (write c12, or c1*0.2)"),
         ("yim/scara-in-numbers", "turn", "1.05", "right in radians, to the digits typed"),
         (COUNTS, "constraint", "6 - F", "F is not a name that is known here"),
         (COUNTS, "gruebler", "λ(N-n-1) + j f", "N stands beside n: are they the same?"),
@@ -205,6 +209,13 @@ def test_what_may_be_meant_in_two_ways_is_asked(exercise: str, part: str, answer
     mark = told(exercise, part, answer)
     assert mark.verdict is Verdict.CANNOT_READ
     assert said in "; ".join(mark.remarks)
+
+
+def test_an_arctangent_is_not_blamed_where_none_stands() -> None:
+    """A root loses the sign of a cosine, too, and then the angle is half a turn off."""
+    root = "±acos(sqrt(D^2)), D = (px^2 + py^2 - a1^2 - a2^2)/(2a1a2)"
+    assert told(FORMULAS, "elbow", root).remarks[0].endswith("elsewhere it is half a turn off")
+    assert "as atan loses" in told(FORMULAS, "shoulder", "atan(py/px) - atan2(a2 s2, a1 + a2 c2)").remarks[0]
 
 
 RATES, POSE, TURN = "motion/planar-rates-in-numbers", "bajd/scara-pose-in-m", "inverse/planar-joints-in-numbers"

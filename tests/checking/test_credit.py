@@ -57,6 +57,36 @@ def test_one_wrong_coordinate_costs_its_part_of_the_position() -> None:
     assert earned(exercise("link 1", "{rotation: 0.6}"), answer) == (Verdict.WRONG, 0.6 + 0.4 / 2)
 
 
+@pytest.mark.parametrize(
+    ("credit", "answer", "share"),
+    [
+        ("1", "0.87 -0.5 0 0.9; 0.5 0.87 0 0.2; 0 0 1 0; 0 0 0 1", 2 / 3),
+        ("1", "0.87 -0.5 0 0.9; 0.5 0.87 0 0.9; 0 0 1 0; 0 0 0 1", 1 / 3),
+        ("{rounded: 1/2}", "0.87 -0.5 0 0.9; 0.5 0.87 0 0.2; 0 0 1 0; 0 0 0 1", 1 / 2),
+        ("1", "0.9 -0.5 0 0.9; 0.5 0.9 0 0.2; 0 0 1 0; 0 0 0 1", 1 / 3),
+        ("1", "0.87 -0.5 0 0.9; -0.5 0.87 0 0.2; 0 0 1 0; 0 0 0 1", 1 / 3),
+    ],
+)
+def test_beside_a_wrong_entry_two_decimals_earn_what_they_earn_alone(credit: str, answer: str, share: float) -> None:
+    """A slip in one coordinate is no reason to judge the digits of the others otherwise."""
+    assert earned(exercise("link 1", credit), answer) == (Verdict.WRONG, share)
+
+
+def test_axes_that_are_right_to_the_digits_typed_are_not_called_turned() -> None:
+    """What is told is the coordinate that is wrong."""
+    sheet = Judge(exercise("link 1")).sheet({"p": "0.87 -0.5 0 0.9; 0.5 0.87 0 0.2; 0 0 1 0; 0 0 0 1"})
+    assert sheet.parts[0].mark.remarks == (
+        "the axes point the right way, but their direction cosines need more digits",
+        "the position is off by 0.554 m along x",
+    )
+
+
+def test_of_a_short_answer_each_number_with_two_decimals_earns_its_part() -> None:
+    """0.3 for 0.346 does not; beside it, 0.20 is within the tolerance."""
+    short = "0.87 -0.5 0 0.3; 0.5 0.87 0 0.20; 0 0 1 0; 0 0 0 1"
+    assert earned(exercise("link 1"), short) == (Verdict.ROUNDED, 2 / 3)
+
+
 def test_in_symbols_each_entry_is_an_item_and_the_halves_weigh_what_was_set() -> None:
     """One of four cosines is wrong, and one of two lengths."""
     answer = "c1 -s1 0 a1*c1; -s1 c1 0 a1*c1; 0 0 1 0; 0 0 0 1"

@@ -20,6 +20,8 @@ from tests.row_by_row import row_by_row
         ("fk scara --q 0.3,0.5", "scara has 3 joints, 2 values given"),
         ("fk scara --q 1,2,3,4", "scara has 3 joints, 4 values given"),
         ("fk scara --q nan,0,0", "nan"),
+        ("fk planar-two-links", "'planar-two-links' is the name of an exercise"),
+        ("torques scara --rows q.csv", "rows of a file are read by fk, ik, draw and jacobian"),
         ("fk scara --q 0,0,1e999", "--q:5: "),
         ("fk scara --q 30mm,0,0", "mm is a unit of length"),
         ("fk scara --q 0,0,30deg", "deg is a unit of angle"),
@@ -65,7 +67,6 @@ from tests.row_by_row import row_by_row
         ("fk scara --pose pick --force", "did you mean --overwrite?"),
         ("rates scara --pose pick --linear 1,0,0", "did you mean --velocity"),
         ("rates scara --pose pick --omega 0,0,1", "did you mean --angular?"),
-        ("torques scara --force 0,0,1 --rows q.csv", "one pose is taken, --q VALUES; fk, jacobian, ik and draw take"),
         ("show scra", "did you mean scara"),
         ("show scara --format matlab", "there is no format matlab for a robot"),
         ("list robotz", "did you mean robots"),
@@ -347,3 +348,19 @@ def test_a_place_where_nothing_can_be_written_is_told_before_the_work(
     monkeypatch.setattr("dhcli.classroom.grading.grade_all", lambda *_, **__: pytest.fail("it was graded"))
     done = dhcli("grade", "hw", "-o", output)
     assert (done.code, said in done.err + done.out) == (2, True), done.err
+
+
+@row_by_row("command", ["fk", "ik", "draw", "jacobian", "rates", "torques", "singularities", "sweep"])
+def test_the_commands_that_read_rows_are_those_that_are_named(dhcli: Run, command: str) -> None:
+    """Where the option is looked for in another."""
+    named = "rows of a file are read by fk, ik, draw and jacobian"
+    assert (" --rows " in dhcli(command, "--help").out) is (command in named.replace(",", "").split())
+
+
+def test_of_a_file_without_keys_nothing_more_is_told(dhcli: Run, tmp_path: Path) -> None:
+    """Neither what a robot nor what a linkage needs besides."""
+    rows = tmp_path / "rows.csv"
+    rows.write_text("theta1,theta2\n0.1,0.2\n")
+    for command in ("dof", "show", "lint", "describe"):
+        done = dhcli(command, str(rows))
+        assert (done.out + done.err).count(":1:1: ") == 1

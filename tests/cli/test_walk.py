@@ -138,6 +138,8 @@ def test_hints_come_one_by_one_between_the_rows_of_an_answer_too(tmp_path: Path)
         for _ in range(2):
             screen.type("?\n")
             assert "hint 2 of 2: " in screen.until(r"\.\.\. ")
+        screen.type("why\n")
+        assert "is not judged yet: an empty line ends it" in screen.until(r"\.\.\. ")
         screen.type("a2 0 0 theta2\n")
         screen.until(r"\.\.\. ")
         screen.type("\n")

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from dhcli import forward_batch, sweep
+from dhcli.checking.written import answer_scope
 from dhcli.errors import RobotError, UnknownNameError
 from dhcli.files.yaml.robots import load_robot
 from dhcli.geometry.orthonormal import not_a_rotation
@@ -76,6 +77,13 @@ def test_a_right_robot_exists() -> None:
     assert (arm.pattern, arm.frames) == ("RP", ("base", "0", "1", "2", "tool"))
     usual = {"t1": "theta1", "th1": "theta1", "D2": "d2", "A1": "a1"}
     assert arm.scope.aliases == {"q1": "theta1", "q2": "d2", **usual}
+
+
+def test_beside_a_t1_that_is_no_angle_t2_is_none() -> None:
+    """A time, or a thickness; and where lengths are called A1 too, A2 is not a2."""
+    arm = robot(parameters={"a1": METRE, "t3": METRE, "A7": METRE})
+    assert arm.scope.aliases == {"q1": "theta1", "q2": "d2", "th1": "theta1", "D2": "d2", "T3": "t3"}
+    assert {"t1", "A1"}.isdisjoint(answer_scope(robot(), ("t", "A")).aliases)
 
 
 @row_by_row(

@@ -147,7 +147,8 @@ def test_links_without_brackets_are_shown_with_them(tmp_path: Path) -> None:
 def test_cosines_of_degrees_without_their_sign_are_told(tmp_path: Path) -> None:
     """Nobody means 60 radians, written or by a name."""
     (found,) = findings(tmp_path, CLEAN.replace("B: [-0.5, 1]", "B: [-0.5, cos(60)]"))
-    assert (found.message, found.hint) == ("cos of 60 does not say what 60 is", "write 60° for degrees")
+    assert found.message == "cos of 60 does not say what 60 is"
+    assert found.hint == "write 60° for degrees, 60 rad for radians"
     named = CLEAN.replace("points:", "let: {phi: 60}\npoints:").replace("B: [-0.5, 1]", "B: [-0.5, 2*cos(phi)]")
     (found,) = findings(tmp_path, named)
     assert found.message == "phi is 60 without a unit, and stands in a cosine or sine"

@@ -117,6 +117,15 @@ def test_where_all_lengths_lack_their_unit_one_key_mends_them(tmp_path: Path) ->
     assert findings(tmp_path, bare.replace("convention:", "units: mm\nconvention:")) == []
 
 
+def test_an_angle_whose_row_is_refused_is_no_length(tmp_path: Path) -> None:
+    """What is wrong with its row is all that is told."""
+    text = CLEAN.replace("theta: theta2", "theta: phi2").replace("limits:\n", "limits:\n  theta2: [-90, 90]\n")
+    text = text.replace("up: [90°, 0,", "up: [90°, 90,")
+    told = [one.message for one in findings(tmp_path, text)]
+    assert any("phi2" in message for message in told)
+    assert not any(LONG in message for message in told)
+
+
 def test_a_length_that_follows_from_another_is_told_with_that_alone(tmp_path: Path) -> None:
     """One number is wrong, and twice of it is no second one."""
     text = CLEAN.replace("0.4 m, a2: 300 mm", "400, a2: 2*a1")

@@ -147,6 +147,16 @@ def test_degrees_without_their_sign_beside_an_angle_are_a_question(text: str) ->
     assert "° for degrees" in caught.value.problems[0].hint
 
 
+@pytest.mark.parametrize("text", ["0.4 cos(25)", "sin 45", "cos(25 + 24)", "tan(60)", "3*sin(-90)"])
+def test_a_cosine_of_degrees_without_their_sign_is_a_question(text: str) -> None:
+    """Also where no angle stands beside them; a turn at most, and `7 rad`, are read."""
+    with pytest.raises(NotationError) as caught:
+        parse(text, Scope(joints=("theta1",), lengths=("a1",)))
+    assert "does not say what" in caught.value.problems[0].message
+    assert write(parse("cos(7 rad)*a1", ROBOT)) == "a1*cos(7 rad)"
+    assert write(parse("cos(0.4)*a1", ROBOT)) == "a1*cos(0.4)"
+
+
 def test_radians_beside_an_angle_are_read() -> None:
     """Below a turn, or with their unit; and what is written can be read back."""
     assert write(parse("cos(θ1 + 1.2)", ROBOT)) == "c(theta1+1.2)"

@@ -88,7 +88,7 @@ def test_a_scope_remembers_no_more_than_it_may() -> None:
     """However many functions are read with it."""
     scope = replace(ROBOT)
     for k in range(MOST_KEPT + 10):
-        parse(f"cos({k}.5)", scope)
+        parse(f"cos({k}.5°)", scope)
     assert 0 < len(scope.read) <= MOST_KEPT
 
 

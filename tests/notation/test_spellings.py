@@ -159,6 +159,14 @@ def test_a_decimal_stays_a_decimal(text: str, places: int | None, shown: str) ->
     assert (found.places, write(found)) == (places, shown)
 
 
+def test_a_power_of_ten_is_asked_about_where_a_length_is_called_so() -> None:
+    """2e1 is twenty, or twice e1; 2e2 is two hundred there."""
+    names = Scope(lengths=("e1",))
+    with pytest.raises(NotationError, match="2e1 could be a power of ten or a multiple of the length e1"):
+        parse("2e1", names)
+    assert write(parse("2e2", names)) == "200"
+
+
 def test_an_angle_called_like_a_length_is_known_by_its_list() -> None:
     """`c(…)` around an angle is its cosine, around a length it is the length times it."""
     names = Scope(joints=("phi",), lengths=("c", "x"))

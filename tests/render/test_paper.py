@@ -4,6 +4,7 @@ import io
 
 import pytest
 
+from dhcli.checking.verdicts import Verdict
 from dhcli.render.paper import Paper, in_ascii
 
 
@@ -53,6 +54,11 @@ def test_ink_leaves_the_text_alone_without_colour() -> None:
 def test_every_text_has_a_spelling_in_ascii(text: str, ascii_text: str) -> None:
     """By name where a letter has one."""
     assert in_ascii(text) == ascii_text
+
+
+def test_every_verdict_has_a_sign_of_its_own_in_ascii() -> None:
+    """An entry that is CLOSE and one that is ROUNDED stand side by side, and earn differently."""
+    assert len({in_ascii(verdict.sign) for verdict in Verdict}) == len(Verdict)
 
 
 def test_what_steers_a_terminal_becomes_a_blank() -> None:

@@ -16,7 +16,7 @@ from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving.goal import read_target, solutions
 from dhcli.checking.solving.question import Vectors, WantedJoints
-from dhcli.checking.solving.reading import read_vectors
+from dhcli.checking.solving.reading import bracketed, read_vectors
 from dhcli.checking.solving.vectors import in_unit, other_units, shows_unit
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
@@ -140,7 +140,7 @@ class JointsQuestion(WantedJoints):
         plain = untransposed(text.strip())
         is_turned = plain != text.strip()
         try:
-            is_right = marked(plain if is_turned else f"{text.strip()}^T").verdict is Verdict.RIGHT
+            is_right = marked(plain if is_turned else f"{bracketed(plain)}^T").verdict is Verdict.RIGHT
         except (UnreadableError, NotationError):
             is_right = False
         if is_right and is_turned:

@@ -45,6 +45,9 @@ _WHOLE = regex(
 _THAT_IS = regex(r",?\s*(?:\bi\.\s?e\.,?|⇒|⟹|=>)\s*")
 """The same in other words: `s2 = 0, i.e. theta2 = 0 or 180°`."""
 
+_LISTED = regex(r"(?:(?<=[,;\n])|\A)\s*([^\W\d]\w{0,20})\s*,\s*([^\W\d]\w{0,20})\s*=(?!=)")
+"""Names side by side, the first without a value of its own."""
+
 HALF_TURN, TURN = 180, 360
 LONGEST = 2000
 MOST = 64
@@ -87,6 +90,7 @@ def read_conditions(text: str, exercise: Exercise, place: Place | None, *, joine
         return ()
     text = _THAT_IS.sub(", ", _WHOLE.sub("", text))
     text = _ONE_OF.sub(lambda one: f" = {' or '.join(one['values'].split(','))}", text.strip())
+    _check_values(text, exercise)
     found: list[Condition] = []
     for group in _groups(text.strip("{}[]"), joined=joined):
         atoms = [tuple(_zeros(left, rights, exercise, place or Place("answer"))) for left, rights in group]
@@ -94,6 +98,21 @@ def read_conditions(text: str, exercise: Exercise, place: Place | None, *, joine
         if len(found) > MOST:
             raise UnreadableError(f"more than {MOST} conditions are not read")
     return _merged(found)
+
+
+def _check_values(text: str, exercise: Exercise) -> None:
+    """Refuse `theta1, theta2 = 0 or 180°`, which may mean either or both at once.
+
+    Raises:
+        UnreadableError: A joint that turns stands without a value before one that has some.
+    """
+    turning = exercise.robot.angles if exercise.robot else ()
+    for match in _LISTED.finditer(text):
+        readings = [exercise.scope.readings(name) for name in match.groups()]
+        names = [one[0].name for one in readings if len(one) == 1 and isinstance(one[0], Symbol)]
+        if len(names) == len(readings) and set(names) <= set(turning):
+            values = " or ".join(f"{name} = ..." for name in names)
+            raise UnreadableError(f"{names[0]} stands without a value before {names[1]}: write {values}")
 
 
 def _groups(text: str, *, joined: bool) -> list[list[tuple[str, list[str]]]]:

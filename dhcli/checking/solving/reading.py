@@ -88,7 +88,7 @@ def read_vectors(
     pieces = groups or lines or (body.split(";") if several else [body])
     pieces = [with_points(piece, (1, len(joints))) for piece in pieces]
     body = "; ".join(piece.replace(";", ",") if groups else piece for piece in pieces)
-    rows = [[cell.expr for cell in row] for row in parse_matrix(_bracketed(body), exercise.scope, place)]
+    rows = [[cell.expr for cell in row] for row in parse_matrix(bracketed(body), exercise.scope, place)]
     rows = _without_heads(rows, joints)
     if all(len(row) == 1 for row in rows) and len(rows) == len(joints):
         rows = [[row[0] for row in rows]]  # a column
@@ -135,7 +135,8 @@ def _apart(inside: str) -> list[str]:
     return [inside]
 
 
-def _bracketed(body: str) -> str:
+def bracketed(body: str) -> str:
+    """Rows in the brackets of a matrix, where they have none."""
     return body if body.startswith(("[", "\\begin")) else f"[{body}]"
 
 

@@ -25,7 +25,7 @@ def told(
         by = next((name for name in ("acos", "asin", "atan(", "sqrt") if name in text and "±" not in text), "")
         yield (f"{only}: {by.strip('(')} gives one of two" if by else f"{only}: some values are missing")
     elif outcome.wrapped:
-        yield f"{only}: {HALF_TURN_OFF}"
+        yield f"{only}: {HALF_TURN_OFF if 'atan(' in text else 'elsewhere it is half a turn off'}"
     elif outcome.is_covering:
         yield "no value is missing, but some of its values solve nothing"
     else:

@@ -30,6 +30,7 @@ COMMANDS = {
     "help": "this list",
 }
 ARROWS = "The arrow keys edit a line and bring back what you typed."
+GOES_ON = "What you are typing is not judged yet: an empty line ends it."
 AGAIN = "Try again, or go on with an empty line."
 _TRY_AGAIN = (Verdict.WRONG, Verdict.CLOSE, Verdict.CANNOT_READ)
 
@@ -186,6 +187,8 @@ class _Walk:
                 return Step.END
             if word in ("?", "hint", "why", "help"):
                 self.tell(part, word)
+                if lines and word == "why":
+                    self.write(GOES_ON, "dim")
                 continue
             lines.append(line)
             if not line.strip() or part.question.is_whole("\n".join(lines)):

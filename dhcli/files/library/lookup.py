@@ -97,7 +97,7 @@ def find(kind: Kind, name: str) -> Path:
     Args:
         kind: What is looked for.
         name: A name of the library; or a path: what ends in `.yaml` or `.yml`, has a `/`, or is `-`. The id of an
-            exercise has a `/` too and is a name as long as no file is called so.
+            exercise has a `/` too and is a name, of no robot, as long as no file is called so.
 
     Returns:
         The file; a path is handed back as it is, whether it exists or not.
@@ -106,7 +106,7 @@ def find(kind: Kind, name: str) -> Path:
         UnknownNameError: The library holds nothing of that name; the hint has the nearest and what to type next.
     """
     check_typed(kind, name)
-    if is_path(kind, name):
+    if is_path(kind, name) and (kind is Kind.EXERCISES or os.path.exists(name) or not _is_exercise(name)):
         return Path(name)
     known = entries(kind)
     if name.startswith(OWN):  # the library's own, whatever file of the user's has the same name
@@ -116,6 +116,11 @@ def find(kind: Kind, name: str) -> Path:
         if entry.name == name:
             return entry.path
     raise UnknownNameError(f"there is no {kind.noun} '{name}'", hint=_hint(kind, name, known))
+
+
+def _is_exercise(name: str) -> bool:
+    """Whether a text with a `/` in it is the id of an exercise of the library."""
+    return not is_path(Kind.EXERCISES, name) and any(entry.name == name for entry in entries(Kind.EXERCISES))
 
 
 def is_own(name: str) -> bool:
@@ -178,7 +183,8 @@ def _hint(kind: Kind, name: str, known: tuple[Entry, ...]) -> str:
     begun = _begun(name, known)
     hints = [begun or similar(name, (kind,)) or did_you_mean(name, [entry.name for entry in known])]
     for other in Kind:
-        if other is not kind and any(entry.name == name for entry in entries(other)):
+        called = full_id(name) if other is Kind.EXERCISES else name
+        if other is not kind and any(entry.name == called for entry in entries(other)):
             hints = [f"'{name}' is the name of a{'n' if other is Kind.EXERCISES else ''} {other.noun}", begun]
     for path in (name, *(name + suffix for suffix in YAML)):
         if os.path.isfile(path):

@@ -69,7 +69,8 @@ class Problems:
             elsewhere: What to say of keys that stand below others.
 
         Raises:
-            FileError: The file has another format, or is of another kind, so that judging its other keys would mislead.
+            FileError: The file has another format, is no mapping, or is of another kind, so that judging its other keys
+                would mislead.
         """
         known = tuple(known)
         if isinstance(root, PlacedMapping):
@@ -80,9 +81,12 @@ class Problems:
         example = "format: 1 and other 'key: value' lines; dhcli new writes a file to start from"
         means = required if isinstance(required, Mapping) else {}
         wanted = {"format": f"format: {FORMAT}", **dict.fromkeys(required, ""), **means}
-        return self.mapping(
+        found = self.mapping(
             root, "the file", known=("format", *known), required=wanted, elsewhere=elsewhere, example=example
         )
+        if not isinstance(root, PlacedMapping):
+            self.raise_if_any()  # what else it lacks, nobody wants to know
+        return found
 
     def mapping(
         self,

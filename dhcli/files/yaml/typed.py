@@ -8,7 +8,6 @@ from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence, as_text
 from dhcli.files.yaml.slips import node_kind
 from dhcli.notation.angle import Angle
-from dhcli.notation.dimensions import without_bare_turns
 from dhcli.notation.factors import AXES
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_plain_length, with_unit
@@ -36,11 +35,7 @@ def parsed(scalar: PlacedScalar, scope: Scope) -> Expr:
     if pitch := _A_TURN.fullmatch(scalar.text):
         message = f"{scalar.text} says for each turn, which a pitch is anyway"
         raise NotationError(Problem(message, scalar.place, f"write {pitch[1]}"))
-    expr = parse(scalar.text, scope, scalar.place_of(0))
-    try:
-        return without_bare_turns(expr)
-    except DimensionError as error:
-        raise NotationError(Problem(error.message, scalar.place, error.hint)) from None
+    return parse(scalar.text, scope, scalar.place_of(0))
 
 
 def read_value(  # noqa: PLR0913  what may be said of a value

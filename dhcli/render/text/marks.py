@@ -162,7 +162,7 @@ def _diagnosis(found: Diagnosis | None) -> dict[str, Any] | None:
 def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
     paper, mark, exercise = look.paper, one.mark, marked.exercise
     verdict = mark.verdict
-    word = paper.ink(f"{paper.spell(verdict.sign)} {verdict.word:<10}", "bold", *_INKS[verdict])
+    word = paper.ink(f"{f'{paper.spell(verdict.sign)} {verdict.word}':<12}", "bold", *_INKS[verdict])
     asked = one.part.id if marked.walked else f"{one.part.id}: {one.part.heading(exercise)}"
     asked += _partial_credit(one) if len(exercise.asked) > 1 or "/" in exercise.id else ""
     first, *rest = prose_lines(paper.spell(asked), paper, _UNDER_ASKED, _UNDER_ASKED)

@@ -177,7 +177,7 @@ def test_a_text_that_looks_like_a_path_is_one(kind: Kind, path: str) -> None:
 
 def test_a_slash_makes_a_path_of_a_robot_and_an_id_of_an_exercise(home: Path) -> None:
     """Unless a file is called like the id."""
-    assert find(Kind.ROBOTS, "wpi/fk-1") == Path("wpi/fk-1")
+    assert find(Kind.ROBOTS, "wpi/arm-1") == Path("wpi/arm-1")
     assert find(Kind.EXERCISES, "wpi/fk-1") == home / "package/_data/exercises/wpi/fk-1.yaml"
     write(home / "work", "wpi/fk-1", suffix="")
     assert find(Kind.EXERCISES, "wpi/fk-1") == Path("wpi/fk-1")
@@ -207,6 +207,8 @@ def test_the_beginning_of_a_name_or_a_piece_of_it_suggests_what_has_it(home: Pat
         (Kind.ROBOTS, "SCRA", "did you mean scara?; dhcli list robots shows what there is"),
         (Kind.ROBOTS, "xyz", "known: puma560, scara; dhcli list robots shows what there is"),
         (Kind.ROBOTS, "four-bar", "'four-bar' is the name of a linkage; dhcli list robots shows what there is"),
+        (Kind.ROBOTS, "wpi/fk-1", "'wpi/fk-1' is the name of an exercise; dhcli list robots shows what there is"),
+        (Kind.ROBOTS, "fk-1", "'fk-1' is the name of an exercise; dhcli list robots shows what there is"),
         (Kind.LINKAGES, "scara", "'scara' is the name of a robot; dhcli list linkages shows what there is"),
         (Kind.EXERCISES, "fk", "did you mean wpi/fk-1?; dhcli list exercises shows what there is"),
         (Kind.EXERCISES, "wpi/fk1", "did you mean wpi/fk-1?; dhcli list exercises shows what there is"),

@@ -223,11 +223,12 @@ def test_a_value_of_the_wrong_kind_is_told_what_it_is(spelled: str, kind: str) -
 
 
 def test_a_file_that_is_no_mapping_says_so() -> None:
-    """A robot is not a list of rows alone."""
-    problems, fields = document("- {alpha: 0}\n", "title")
-    assert fields.entries == {}
+    """A robot is not a list of rows alone; and of its keys nothing is told."""
+    with pytest.raises(FileError) as caught:
+        document("- {alpha: 0}\n", "title")
     hint = "write format: 1 and other 'key: value' lines; dhcli new writes a file to start from"
-    assert said(problems) == [f"robot.yaml:1:1: the file: should be a mapping, is a list ({hint})"]
+    told = [str(problem) for problem in caught.value.problems]
+    assert told == [f"robot.yaml:1:1: the file: should be a mapping, is a list ({hint})"]
 
 
 def test_a_file_without_a_format_is_told_so() -> None:

@@ -101,7 +101,12 @@ def test_nothing_follows_from_a_table_that_is_missing() -> None:
             "tool: a number has a decimal comma, which ends a value here",
             "write [1, 0, 0, 0.1]",
         ),
-        ("{a: 0, alpha", "{a: a1*sin(30), alpha", "sin of 30 does not say what 30 is", "write 30° for degrees"),
+        (
+            "{a: 0, alpha",
+            "{a: a1*sin(30), alpha",
+            "sin of 30 does not say what 30 is",
+            "write 30° for degrees, 30 rad for radians",
+        ),
         (
             "poses:",
             "tool: {xyz: [0, 0, 0.1], rpy: [0, 0, 0]}\nposes:",
