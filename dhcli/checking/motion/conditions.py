@@ -34,7 +34,7 @@ _EITHER = regex(
 )
 """`0°/180°`: one or the other, for nobody divides an angle by an angle here."""
 
-_ONE_OF = regex(r"\s*(?:∈|\\in\b|(?<=[\w}\s])in(?=\s*\\?\{))\s*\\?\{(?P<values>[^{}]{1,99}?)\\?\}")
+_ONE_OF = regex(r"\s{0,9}(?:∈|\\in\b|(?<=[\w}\s])in(?=\s*\\?\{))\s*\\?\{(?P<values>[^{}]{1,99}?)\\?\}")
 """`θ2 ∈ {0, π}`: one of these."""
 
 _WHOLE = regex(
@@ -42,7 +42,7 @@ _WHOLE = regex(
     r"\s{0,9}(?:ℤ|Z\b|\\mathbb\s?\{?Z\}?)\s?\)?"  # noqa: RUF001
 )
 """What is said of n behind `n*180°`: that it is whole."""
-_THAT_IS = regex(r",?\s*(?:\bi\.\s?e\.,?|⇒|⟹|=>)\s*")
+_THAT_IS = regex(r",?\s{0,9}(?:\bi\.\s?e\.,?|⇒|⟹|=>)\s*")
 """The same in other words: `s2 = 0, i.e. theta2 = 0 or 180°`."""
 
 HALF_TURN, TURN = 180, 360
