@@ -126,6 +126,8 @@ READ = [
     (FORMULAS, "elbow", "±ACOS((px^2+py^2-a1^2-a2^2)/(2*a1*a2))", ("-a2^2", "+a2^2")),
     (FORMULAS, "elbow", "±arccos((pₓ² + p_y² − a₁² − a₂²)/(2·a₁·a₂))", ("2·a", "3·a")),
     (FORMULAS, "shoulder", "Atan2(py,px)-Atan2(a2s2,a1+a2c2)", ("py,px", "px,py")),
+    (FORMULAS, "shoulder", "A1 = a1 + a2*c2; atan2(py, px) - atan2(a2*s2, A1)*a1/a1", ("+ a2", "- a2")),
+    (FORMULAS, "shoulder", "A1 = a1 + a2*c2; A2 = A1 - a1; atan2(py, px) - atan2(a2*s2, a1 + A2)", ("- a1", "- a2")),
     (VALUES, "all", "[2.48 59.45; 67.98 -67.98]^T", ("-67.98", "66.98")),
     (VALUES, "all", "[2.48 67.98]^T, [59.45 -67.98]^T", ("-67.98", "67.98")),
     (VALUES, "all", "[2.48; 67.98], [59.45; -67.98]", ("-67.98", "67.98")),

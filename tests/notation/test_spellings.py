@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 
 from dhcli.errors import NotationError
+from dhcli.notation.names import usual_aliases
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr, Number
+from dhcli.notation.tree import Expr, Number, Symbol, add
 from dhcli.notation.writer import write, write_angle
 from tests.row_by_row import row_by_row
 
@@ -157,6 +158,16 @@ def test_a_decimal_stays_a_decimal(text: str, places: int | None, shown: str) ->
     found: Expr = parse(text)
     assert isinstance(found, Number)
     assert (found.places, write(found)) == (places, shown)
+
+
+def test_a_capital_that_is_a_name_stands_beside_the_small_letter() -> None:
+    """It is another length then; where it is none, nobody knows whether it is."""
+    two = Scope(lengths=("a1", "A1"), aliases=usual_aliases(("a1", "A1")))
+    assert parse("a1 + A1", two) == add(Symbol("a1"), Symbol("A1"))
+    one = Scope(lengths=("a1",), aliases=usual_aliases(("a1",)))
+    assert parse("A1 + A1", one) == parse("2*a1", one)
+    with pytest.raises(NotationError, match="A1 stands beside a1"):
+        parse("a1 + A1", one)
 
 
 def test_an_angle_called_like_a_length_is_known_by_its_list() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import chain, product
 
@@ -150,6 +151,7 @@ def _values(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: F
     statements = _statements(text, asked)
     if len(statements) > MOST_STATEMENTS:
         raise UnreadableError(f"{len(statements)} lines; the formula and names for what is long in it will do")
+    scope = _with_own_capitals(scope, statements)
     known: dict[Expr, Expr] = {}
     found = list[Expr]()
     for statement in statements:
@@ -180,6 +182,15 @@ def _values(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: F
     if not found:
         raise UnreadableError(f"no line says what {asked[0]} is: write {asked[0]} = ...")
     return found
+
+
+def _with_own_capitals(scope: Scope, statements: Sequence[str]) -> Scope:
+    """A scope in which capitals that an answer defines are names of their own: `A1 = a1 + a2*c2` makes A1 no a1."""
+    matches = filter(None, map(_STATEMENT.fullmatch, statements))
+    own = {canonical(match["name"]) for match in matches if match["name"][0].isupper()} & scope.aliases.keys()
+    if not own:
+        return scope
+    return replace(scope, aliases={alias: name for alias, name in scope.aliases.items() if alias not in own})
 
 
 def _parsed(text: str, scope: Scope, place: Place) -> Expr:
