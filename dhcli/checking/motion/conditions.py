@@ -44,6 +44,8 @@ _WHOLE = regex(
 """What is said of n behind `n*180°`: that it is whole."""
 _THAT_IS = regex(r",?\s{0,9}(?:\bi\.\s?e\.,?|⇒|⟹|=>)\s*")
 """The same in other words: `s2 = 0, i.e. theta2 = 0 or 180°`."""
+_SEPARATED = regex(r"[,;\n]|\sor\s(?=[^,;\n]*=)")
+"""Between two conditions, and not between two angles."""
 
 HALF_TURN, TURN = 180, 360
 LONGEST = 2000
@@ -94,6 +96,13 @@ def read_conditions(text: str, exercise: Exercise, place: Place | None, *, joine
         if len(found) > MOST:
             raise UnreadableError(f"more than {MOST} conditions are not read")
     return _merged(found)
+
+
+def last_said(text: str) -> str:
+    """A text without what it says again in other words: of `s2 = 0, i.e. theta2 = 0 or 180°` the angles are left."""
+    *others, last = _THAT_IS.split(text)
+    ends = (max((found.end() for found in _SEPARATED.finditer(one)), default=0) for one in others)
+    return "".join(one[:end] for one, end in zip(others, ends, strict=True)) + last
 
 
 def _groups(text: str, *, joined: bool) -> list[list[tuple[str, list[str]]]]:
