@@ -136,9 +136,9 @@ class _Writing:
         return type(factor) is Symbol and factor.name in self.named, factor_key(factor)
 
     def label(self, step: Operation) -> str:
-        """`23` for theta2 + theta3; nothing for other sums, and for steps that are none."""
+        """`23` for theta2 + theta3 and theta3 + theta2; nothing for other sums, and for steps that are none."""
         labels = [self.labels[o] if isinstance(o, Column) else "" for o in step.operands]
-        return "".join(labels) if step.ufunc in ("add", *TURNING) and all(labels) else ""
+        return "".join(sorted("".join(labels))) if step.ufunc in ("add", *TURNING) and all(labels) else ""
 
     def name(self, column: Column, step: Operation) -> str:
         """A name that is not taken: `c23`, `c_alpha`, or the next of `t1`, `t2` ..."""

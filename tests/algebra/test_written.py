@@ -85,3 +85,16 @@ def test_a_lean_tape_takes_no_step_for_0_and_1() -> None:
     assert any(type(node) is Power for node in walk(formulas.results[0]))
     assert isinstance(root, Cell)
     assert len(needed(tape, [root.column])) == 4
+
+
+def test_the_cosine_of_a_sum_has_its_indices_in_order() -> None:
+    """However it was added up: theta3 + theta2 is that of theta2 and theta3."""
+    tape = Lean(["theta1", "theta2", "theta3"])
+    one, two, three = (tape.variables[f"theta{k}"] for k in (1, 2, 3))
+    pair = three + two
+    whole = pair + one
+    assert isinstance(pair, Cell)
+    assert isinstance(whole, Cell)
+    cosines = [tape.step("cos", angle.column) for angle in (pair, whole)]
+    formulas = written(tape, cosines, {f"theta{k}": str(k) for k in (1, 2, 3)})
+    assert {one.name for one in formulas.definitions} == {"q23", "c23", "c123"}

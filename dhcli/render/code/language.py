@@ -150,7 +150,8 @@ class Language:
         above = [] if inside else [comment(line, self.mark).rstrip("\n") for line in said]
         lines = [f"    {line}" if line else "" for line in (*inside, *body)]
         end = [self.end] if self.end else []
-        return "\n".join([*self.first, *above, *first.split("\n"), *lines, *end]) + "\n"
+        before = self.first if any(self.style.prefix in line for line in body) else ()  # or linters find it unused
+        return "\n".join([*before, *above, *first.split("\n"), *lines, *end]) + "\n"
 
     def _spare(self, given: Iterable[str], spelling: Spelling, body: Sequence[str]) -> Iterator[str]:
         """Lines for what is given and does not stand in the body."""

@@ -238,6 +238,17 @@ def test_a_comment_of_c_does_not_go_on_in_the_next_line(end: str) -> None:
     assert not [line for line in lines if line.rstrip().endswith(("\\", "??/"))]
 
 
+@pytest.mark.parametrize("language", ["python", "numpy"])
+def test_nothing_is_imported_that_is_not_used(language: str) -> None:
+    """As by a pose of numbers alone, which has no cosine left."""
+    for name in ("assembly-blocks", "scara"):
+        robot = load_robot(name)
+        source = code(forward_function(robot, View.of(robot), {}), language)
+        used = {"python": "math", "numpy": "np"}[language]
+        assert (f"{used}." in source) == bool(re.search(rf"^import .*\b{used}$", source, re.MULTILINE))
+        assert namespace(source)["forward"](*[0.1] * len(robot.variables)) is not None
+
+
 def test_the_command_knows_every_language() -> None:
     """Its list and that of the writers are one."""
     assert set(written.LANGUAGES) == set(LANGUAGES)
