@@ -40,7 +40,7 @@ def frozen(cls: type[T]) -> type[T]:
     """Make a class what `dataclass(frozen=True, slots=True)` makes of it.
 
     One with a `cached_property` has a place to keep what it found. A `__repr__` that the class or a base of it writes
-    stays, and its own `__eq__` and `__hash__`. Nothing is inherited between `frozen` and `dataclass`.
+    stays, and its own `__eq__` and `__hash__`. A `dataclass` may inherit from it.
     """
     own = {name: _field(cls, name, kind) for name, kind in cls.__annotations__.items() if "ClassVar" not in str(kind)}
     found: dict[str, Field[Any]] = {}
@@ -81,6 +81,7 @@ def _field(cls: type, name: str, kind: object) -> Field[Any]:
         raise ValueError(f"{cls.__qualname__}.{name}: a default that can be changed is for default_factory")
     each: Field[Any] = default if isinstance(default, Field) else field(default=default)
     each.name, each.type, each._field_type = name, kind, _FIELD  # type: ignore[attr-defined]  # noqa: SLF001
+    each.kw_only = False
     return each
 
 
@@ -293,6 +294,10 @@ def _setstate(self: Any, state: Iterable[object]) -> None:  # noqa: ANN401  the 
         object.__setattr__(self, name, value)
 
 
+def _replace(self: Any, /, **changes: object) -> object:  # noqa: ANN401  the same; `help` shows what stands here
+    return replace(self, **changes)
+
+
 class _Signature:
     """What `help` shows in the brackets of a class, put together when someone asks."""
 
@@ -322,6 +327,6 @@ _BODY: dict[str, object] = {
     "__getstate__": _getstate,
     "__setstate__": _setstate,
     "__signature__": _Signature(),
-    "__replace__": replace,
+    "__replace__": _replace,
 }
 """What every class has that is made here."""

@@ -35,11 +35,14 @@ def one_line(text: str) -> str:
 def comment(text: str, mark: str) -> str:
     """A comment of a program on one line, which nothing in the text can end.
 
+    Nor can it go on in the next line, as in C behind a backslash, which `??/` is too.
+
     Args:
         text: What it says.
         mark: What begins a comment in that language: `#`, `%`.
     """
-    return f"{mark} {one_line(text)}".rstrip() + "\n"
+    said = f"{mark} {one_line(text)}".rstrip()
+    return f"{said}.\n" if said.endswith(("\\", "??/")) else f"{said}\n"
 
 
 def docstring(*lines: str) -> str:

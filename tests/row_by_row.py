@@ -9,6 +9,9 @@ from typing import Any
 
 import pytest
 
+_OUTCOMES = (pytest.fail.Exception, pytest.skip.Exception, BaseExceptionGroup)
+"""What ends a row besides an error: words of pytest, and a table of rows inside."""
+
 SHOWN = 200
 """So many characters of a row are shown, and of what is wrong with it."""
 
@@ -34,7 +37,7 @@ def row_by_row(
             for row in table:
                 try:
                     test(**dict(zip(given, row, strict=True)), **fixtures)
-                except (Exception, pytest.fail.Exception, pytest.skip.Exception) as error:  # noqa: BLE001  told below
+                except (Exception, *_OUTCOMES) as error:  # noqa: BLE001  told below
                     failures.append(error)
                     told.append(
                         f"{_short(', '.join(map(repr, row)))}\n    {type(error).__name__}: {_short(str(error))}"

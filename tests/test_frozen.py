@@ -4,6 +4,7 @@ import copy
 import inspect
 import pickle
 import pprint
+import pydoc
 from collections.abc import Callable
 from dataclasses import FrozenInstanceError, dataclass, field, fields, is_dataclass, replace
 from functools import cached_property
@@ -13,6 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import dhcli
 from dhcli import inverse, load_robot
 from dhcli.frozen import frozen
 from tests.row_by_row import row_by_row
@@ -166,6 +168,13 @@ def test_what_is_made_anew_each_time_can_be_left_out_by_the_signature() -> None:
     assert ours == theirs
 
 
+@pytest.mark.parametrize("name", dhcli.__all__)
+def test_no_signature_of_the_library_tells_where_something_lies_in_memory(name: str) -> None:
+    """A default that says so would be another in each process."""
+    if callable(thing := getattr(dhcli, name)):
+        assert " at 0x" not in str(inspect.signature(thing))
+
+
 @row_by_row(("name", "values", "named"), CALLS)
 def test_a_field_stays_what_it_is(name: str, values: tuple[object, ...], named: dict[str, object]) -> None:
     """Nor does one come that is none."""
@@ -253,6 +262,19 @@ def test_an_heir_finishes_in_its_own_way() -> None:
         assert Checked(1).late == ("of", 1, 3, "a")
 
 
+def test_a_dataclass_inherits_from_it() -> None:
+    """Its fields come first, by position, as those of a dataclass do."""
+    for classes in (OURS, THEIRS):
+
+        @dataclass(frozen=True, slots=True)
+        class Heir(classes["Point"]):  # type: ignore[misc]
+            z: object = 3
+
+        assert repr(Heir(1, 2)).endswith("Heir(x=1, y=2, z=3)")
+        assert Heir(1, y=2) == replace(Heir(1), y=2)
+        assert [each.kw_only for each in fields(Heir)] == [False] * 3
+
+
 def test_a_default_that_can_be_changed_is_refused() -> None:
     """It would be changed for all."""
     for make in (frozen, slotted):
@@ -266,5 +288,6 @@ def test_a_default_that_can_be_changed_is_refused() -> None:
 def test_it_is_replaced_by_copy_where_python_can() -> None:
     """`copy.replace` came with Python 3.13."""
     assert Kept(1).__replace__(x=2) == Kept(2)  # type: ignore[attr-defined]
+    assert "class C" not in pydoc.plain(pydoc.render_doc(Kept))  # which is the example of `dataclasses.replace`
     if hasattr(copy, "replace"):
         assert copy.replace(Kept(1), x=2) == Kept(2)

@@ -43,6 +43,25 @@ def test_all_rows_that_fail_are_named_with_what_is_wrong() -> None:
     assert kinds == [pytest.fail.Exception, AssertionError, pytest.skip.Exception]
 
 
+def test_a_table_inside_another_fails_row_by_row_too() -> None:
+    """Whatever its rows end by, those of the outer one go on, and both are named."""
+    tried = list[tuple[int, str]]()
+
+    @row_by_row("number", [1, 2])
+    @row_by_row("letter", ["a", "b"])
+    def test(number: int, letter: str) -> None:
+        tried.append((number, letter))
+        if letter == "a":
+            pytest.fail("not this one")
+
+    with pytest.raises(BaseExceptionGroup) as caught:
+        test()
+    assert tried == [(1, "a"), (1, "b"), (2, "a"), (2, "b")]
+    said = caught.value.message
+    assert said.startswith("2 of 2 rows fail:")
+    assert said.count("'a'\n    Failed: not this one") == 2
+
+
 def test_a_table_of_nothing_or_of_other_rows_is_refused() -> None:
     """A test over it would say nothing."""
     for names, rows in (("number", []), ("number, words", [(1, "one"), (2,)])):

@@ -73,6 +73,7 @@ class Memo:
         self.like = like
         self.lasting: dict[object, object] = {} if lasting is None else lasting
         self._known: dict[object, object] = {}
+        self._units = {exercise.unit: self}
 
     def of(self, key: object, make: Callable[[], R]) -> R:
         """What is kept under a key, made when it is first asked for."""
@@ -92,8 +93,11 @@ class Memo:
         return cast("R", found)
 
     def in_unit(self, unit: str) -> Memo:
-        """What is worked out for the same exercise with a sheet in another unit."""
-        return self.of(("in unit", unit), lambda: Memo(replace(self.exercise, unit=unit)))
+        """What is worked out for the same exercise with a sheet in another unit; those of all units know each other."""
+        if unit not in self._units:
+            there = self._units[unit] = Memo(replace(self.exercise, unit=unit))
+            there._units = self._units
+        return self._units[unit]
 
 
 class Question(Asking, Generic[T]):

@@ -37,9 +37,12 @@ def numbers_for_letters(case: Case, text: str) -> Causes:
         for name, value in exercise.known.items()
         if name in lengths and name not in exercise.given and canonical(name).translate(_NOISE).lower() not in plain
     }
-    for unit in (exercise.unit, *exercise.other_units) if left else ():
-        there = replace(exercise, given={**exercise.given, **left}, unit=unit)
-        if _is_right(Case(case.part, Memo(there)), text):
+    if not left:
+        return ()
+    given = {**exercise.given, **left}
+    there = case.memo.recent("in the robot's numbers", tuple(left), lambda: Memo(replace(exercise, given=given)))
+    for unit in (exercise.unit, *exercise.other_units):
+        if _is_right(Case(case.part, there.in_unit(unit)), text):
             asked = set(_WORD.findall(case.part.question.expected(case)))
             values = {name: value_text(value, unit) for name, value in left.items() if name in asked}
             return ((_slip(values, text),),)

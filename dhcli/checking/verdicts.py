@@ -77,7 +77,7 @@ AGREEING = (Verdict.RIGHT, Verdict.ROUNDED)
 
 def too_few(decimals: int | None) -> str:
     """What is said of an answer that is too short, where so many decimals are asked for, if any are."""
-    return f"{TOO_FEW}: write {'three decimals' if decimals is None else plural(decimals, 'decimal')}"
+    return f"{TOO_FEW}: write {'three digits or more' if decimals is None else plural(decimals, 'decimal')}"
 
 
 def worst(verdicts: Iterable[Verdict]) -> Verdict:

@@ -13,7 +13,13 @@ from types import FrameType
 from dhcli.cli.shell.console import GuardedStream, complain, finish
 from dhcli.errors import DhcliError, ExitStatus, Place, Problem, bug
 
-INSTEAD = {"--force": "--overwrite", "--symbolic": "--derive", "-s": "--derive"}
+INSTEAD = {
+    "--force": "--overwrite",
+    "--symbolic": "--derive",
+    "-s": "--derive",
+    "--linear": "--velocity",
+    "--omega": "--angular",
+}
 """What some commands have instead of an option that is typed in vain."""
 
 ELSEWHERE = {"--rows": "rows of a file are read by fk, ik, draw and jacobian"}

@@ -8,6 +8,7 @@ import numpy as np
 
 from dhcli.errors import RobotError
 from dhcli.geometry.euler import Order, RollPitchYaw
+from dhcli.geometry.real_arrays import real_numbers
 from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
 
 if TYPE_CHECKING:
@@ -56,10 +57,7 @@ def rotations(poses: Table) -> Rotation[Column]:
     Raises:
         RobotError: They have another shape, or something is no number.
     """
-    try:
-        table = np.asarray(poses, dtype=np.float64)
-    except (TypeError, ValueError, OverflowError):
-        raise RobotError("poses are no array of numbers", "wanted: the shape (N, 4, 4)") from None
+    table = real_numbers(poses, RobotError("poses are no array of numbers", "wanted: the shape (N, 4, 4)"))
     if table.ndim != 3 or table.shape[1:] != (4, 4):  # noqa: PLR2004  rows of matrices
         raise RobotError(
             f"poses have the shape (N, 4, 4), not {table.shape}", "one Pose has rpy, quaternion, axis_angle"

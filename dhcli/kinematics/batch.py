@@ -8,6 +8,7 @@ import numpy as np
 
 from dhcli.algebra.arrays import library_of
 from dhcli.errors import RobotError, plural
+from dhcli.geometry.real_arrays import real_numbers
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.frames import ends
 from dhcli.kinematics.playing import play
@@ -77,14 +78,8 @@ def joint_rows(robot: Robot, Q: ArrayLike) -> NDArray[np.float64]:  # noqa: N803
         RobotError: They have another shape, or something is no real number.
     """
     wanted = len(robot.variables)
-    try:
-        if np.iscomplexobj(Q):
-            raise RobotError("Q holds complex numbers", "joint values are real: Q.real, if that is what is meant")
-        q = np.asarray(Q, dtype=np.float64)
-    except (ValueError, TypeError, OverflowError):
-        raise RobotError(
-            "Q is no array of numbers", f"wanted: rows of {plural(wanted, 'number')}, all as long"
-        ) from None
+    none = RobotError("Q is no array of numbers", f"wanted: rows of {plural(wanted, 'number')}, all as long")
+    q = real_numbers(Q, none)
     if q.ndim != 2 or q.shape[1] != wanted:  # noqa: PLR2004  rows and columns
         raise RobotError(f"{robot.name} has {plural(wanted, 'joint')}; Q has the shape {q.shape}, not (N, {wanted})")
     return q

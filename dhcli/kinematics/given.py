@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
+from numbers import Complex, Real
 from typing import Any
 
 from dhcli.errors import NotationError, Place, RobotError
@@ -91,6 +92,18 @@ def mapping_of(given: object, part: str) -> Mapping[str, Any]:
     return given
 
 
+def real(given: Any) -> float:  # noqa: ANN401  whatever a program gives
+    """A real number as Python's.
+
+    Raises:
+        TypeError, ValueError: It is none; of a complex one of numpy's `float` takes the real part, and warns.
+        OverflowError: It is beyond what a float holds.
+    """
+    if isinstance(given, Complex) and not isinstance(given, Real):
+        raise TypeError
+    return float(given)
+
+
 def value_of(given: object, name: str, *, is_angle: bool) -> Angle | Expr:
     """An angle or a length, a text with its unit, or a number: radians or metres.
 
@@ -107,7 +120,7 @@ def value_of(given: object, name: str, *, is_angle: bool) -> Angle | Expr:
         except DimensionError as error:
             raise RobotError(f"{name}: {error.message}", error.hint) from None
     try:
-        number = float(given)  # type: ignore[arg-type]
+        number = real(given)
     except (TypeError, ValueError, OverflowError):
         raise RobotError(f"{name}: {_shown(given)} is no value", _A_VALUE) from None
     if not math.isfinite(number):
@@ -142,7 +155,7 @@ def coordinates(point: Iterable[Any]) -> list[Expr]:
                 raise NotationError(error.message, error.hint) from None
         else:
             try:
-                found.append(number(Fraction(repr(float(coordinate)))))
+                found.append(number(Fraction(repr(real(coordinate)))))
             except (TypeError, ValueError):
                 raise RobotError(f"{coordinate!r} is no coordinate", 'write 0.1 or "a6"') from None
     return found
@@ -164,7 +177,7 @@ def three_coordinates(point: Iterable[Any]) -> tuple[Expr, Expr, Expr]:
 def float_coordinates(point: Iterable[Any]) -> list[float]:
     """Coordinates for a pose in numbers [m]."""
     try:
-        return [float(coordinate) for coordinate in point]
+        return [*map(real, point)]
     except (TypeError, ValueError):
         raise RobotError(f"a point of a pose in numbers has three numbers [m], not {tuple(point)}") from None
 

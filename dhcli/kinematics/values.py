@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.kinematics.derived import Value, in_floats, replaced
 from dhcli.kinematics.description import Description
-from dhcli.kinematics.given import mapping_of
+from dhcli.kinematics.given import mapping_of, real
 from dhcli.kinematics.moves import Chain, names
 from dhcli.notation.angle import Angle
 from dhcli.notation.brackets import OPENING, split
@@ -160,7 +160,8 @@ def joint_called(robot: Description, name: str, place: Place | None = None) -> s
         for variable in robot.variables:
             if canonical(variable) == canonical(candidate):
                 return variable
-    raise RobotError(Problem(f"{robot.name} has no joint {name:.60}", place, did_you_mean(name, robot.variables)))
+    hint = did_you_mean(name, (*robot.variables, *robot.called.values())) or did_you_mean(name, robot.variables)
+    raise RobotError(Problem(f"{robot.name} has no joint {name:.60}", place, hint))
 
 
 def _from_text(robot: Description, text: str, bare: Bare, place: Place) -> dict[str, Value]:
@@ -210,9 +211,12 @@ def _split(text: str) -> Iterator[tuple[int, str]]:
 
 
 def _between_blanks(robot: Description, text: str) -> list[tuple[int, str]]:
-    """A value for each joint with only blanks between them, `0.3 30° 0,1`, with offsets; nothing if it is not that."""
+    """A value for each joint with only blanks or semicolons between them, with offsets; nothing if it is not that.
+
+    `0.3 30° 0,1` and `0,3; 0,5; 0,1`: a comma between such values is a decimal one.
+    """
     inner = re.sub(r"^\s*\[|\]\s*$", " ", text)
-    pieces = [(found.start(), found[0]) for found in re.finditer(r"\S+", inner)]
+    pieces = [(found.start(), found[0]) for found in re.finditer(r"[^\s;]+", inner)]
     named = all(_ASSIGNS.search(piece) for _, piece in pieces)
     if not all(_ONE_VALUE.fullmatch(piece) for _, piece in pieces):
         return []
@@ -235,10 +239,10 @@ def _value(robot: Description, name: str, value: float | str | Value, bare: Bare
     if isinstance(value, str):
         return read_named(robot, name, value, bare=bare, place=place or Place(name))
     try:
-        number = float(value)
+        number = real(value)
     except (TypeError, ValueError):
-        hint = "forward_batch takes a row for each pose"
-        raise RobotError(Problem(f"{name} wants one number, not {value!r}", place, hint)) from None
+        hint = "forward_batch takes a row for each pose" if isinstance(value, Iterable) else ""
+        raise RobotError(Problem(f"{name} wants one number, not {value!r:.60}", place, hint)) from None
     except OverflowError:
         raise RobotError(Problem(f"{name} is beyond what a float can hold", place)) from None
     if not math.isfinite(number):

@@ -29,6 +29,9 @@ _ROTATION = regex(r"(?:Rot|rot|Rotate|R)_?\{?([xyz])?\}?")
 _TRANSLATION = regex(r"(?:Trans|trans|Transl|transl|Translate|T|D)_?\{?([xyz])?\}?")
 _TURNS = {"rpy": 3, "euler": 4, "quaternion": 4, "quat": 4, "rotvec": 3, "rotation_vector": 3}
 """Rotations by several numbers, and how many each takes."""
+_LACKS = {"3x4": "add the row 0 0 0 1", "3x3": "add the position as fourth column, and the row 0 0 0 1"}
+"""What a matrix of another shape lacks for a pose."""
+
 EXAMPLE = "write Trans(1, 2, 3) Rot(z, 90°), or a matrix [1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]"
 
 
@@ -83,7 +86,7 @@ def read_matrix_factor(reading: Reading, tokens: Sequence[Token], *, inverse: bo
     start, text = tokens[0].start, source.text[tokens[0].start : tokens[-1].end]
     if [len(row) for row in cells] != [4] * 4:
         shape = f"{len(cells)}x{len(cells[0])}"
-        raise source.error(start, f"a pose has 4 rows of 4, this matrix is {shape}", "add the row 0 0 0 1")
+        raise source.error(start, f"a pose has 4 rows of 4, this matrix is {shape}", _LACKS.get(shape, ""))
     units = ("", "", "", reading.unit)
     rows = tuple(
         tuple(_in_metres(source, cell.expr, cell.start, unit) for cell, unit in zip(row, units, strict=True))

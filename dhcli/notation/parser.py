@@ -95,7 +95,7 @@ class Parser(Calls):
         """Make sure that nothing is left over, and that no letter stands both small and capital for one name."""
         super().finish()
         for token in self.tokens:
-            if token.kind != "word" or not token.text[0].isupper() or canonical(token.text) not in self.scope.aliases:
+            if token.kind != "word" or not token.text[0].isupper() or not self.scope.is_alias(token.text):
                 continue
             small = token.text[0].lower() + token.text[1:]
             if any(other.text == small for other in self.tokens):

@@ -66,6 +66,11 @@ class Scope:
         """Whether a word is one of the declared names."""
         return canonical(word) in self._known
 
+    def is_alias(self, word: str) -> bool:
+        """Whether a word is another spelling of a name, and no name itself."""
+        plain = canonical(word)
+        return plain in self.aliases and canonical(self._known[plain]) != plain
+
     def is_angle(self, name: str) -> bool:
         """Whether a name stands for an angle; in an open scope Greek letters and q do."""
         if name in self.joints or name in self.angles:

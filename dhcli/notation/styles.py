@@ -162,6 +162,9 @@ class _AnyThetas(Mapping[str, str]):
     def __len__(self) -> int:
         return 9
 
+    def __repr__(self) -> str:  # in the signature of each result
+        return "<theta1 to theta9>"
+
 
 THETAS = Joints((), _AnyThetas())
 """Joints to write with when no robot is at hand."""

@@ -224,7 +224,8 @@ def check_format(kind: str, name: str) -> None:
             hint = f"a function that runs is --code {name}; {hint}"
         elif name not in known and (near := meant(name, formats(kind))).startswith("did"):
             hint = f"{near}; {hint}"
-        raise UnknownNameError(f"there is no format {name}{of}", hint)
+        called = name or "''"
+        raise UnknownNameError(f"there is no format {called}{of}", hint)
 
 
 def _imported(where: str) -> Any:  # noqa: ANN401  one of the functions named above

@@ -16,7 +16,8 @@ from tests.row_by_row import row_by_row
 
 ARM, LINK = "yim/planar-two-links", "yim/dh-factors"
 FORMULAS, VALUES, REACH = "inverse/planar-joints", "inverse/planar-joints-in-numbers", "inverse/planar-reach"
-COUNTS, TABLE, JACOBIAN = "yim/counting-freedoms", "zhou/three-r-arm-tip", "motion/planar-jacobian"
+COUNTS, TABLE = "yim/counting-freedoms", "zhou/three-r-arm-tip"
+JACOBIAN, ELBOW = "motion/planar-jacobian", "motion/articulated-jacobian"
 MODIFIED, SCARA, CHANGE = "zhou/modified-link-matrix", "motion/scara-jacobian", "motion/differential-motion"
 DOT = "\u2061"  # what Word has between a function and its argument
 
@@ -119,6 +120,10 @@ READ = [
     (JACOBIAN, "singular", "θ2 ∈ {0, π}", ("π", "π/2")),
     (JACOBIAN, "singular", "θ2 = nπ, n ∈ ℤ", ("θ2", "θ1")),
     (JACOBIAN, "singular", "sin(θ2) = 0, i.e. θ2 = 0 or π", ("sin(θ2)", "sin(θ1)")),
+    (JACOBIAN, "singular", "sin(θ2) = 0 ⇒ θ2 = 0 or π", ("0 or π", "0")),
+    (JACOBIAN, "singular", "θ2 ∈ {0, π}, i.e. s2 = 0", ("s2", "c2")),
+    (ELBOW, "singular", "s3 = 0, i.e. θ3 = 0 or 180°, a2*c2 + a3*c23 = 0", ("0 or 180°", "0°")),
+    (ELBOW, "singular", "a2*c2 + a3*c23 = 0, s3 = 0 => θ3 = 0 or π", ("0 or π", "π")),
     (FORMULAS, "elbow", "±acos(D) where D = (r² - a1² - a2²)/(2a1a2) and r² = px² + py²", ("+ py²", "- py²")),
     (JACOBIAN, "singular", r"\theta_2 \in \{0, \pi\}", ("2", "1")),
     (JACOBIAN, "singular", "theta2 in {0°, 180°}", ("180", "90")),
@@ -131,6 +136,8 @@ READ = [
     (FORMULAS, "elbow", "±ACOS((px^2+py^2-a1^2-a2^2)/(2*a1*a2))", ("-a2^2", "+a2^2")),
     (FORMULAS, "elbow", "±arccos((pₓ² + p_y² − a₁² − a₂²)/(2·a₁·a₂))", ("2·a", "3·a")),
     (FORMULAS, "shoulder", "Atan2(py,px)-Atan2(a2s2,a1+a2c2)", ("py,px", "px,py")),
+    (FORMULAS, "shoulder", "A1 = a1 + a2*c2; atan2(py, px) - atan2(a2*s2, A1)*a1/a1", ("+ a2", "- a2")),
+    (FORMULAS, "shoulder", "A1 = a1 + a2*c2; A2 = A1 - a1; atan2(py, px) - atan2(a2*s2, a1 + A2)", ("- a1", "- a2")),
     (VALUES, "all", "[2.48 59.45; 67.98 -67.98]^T", ("-67.98", "66.98")),
     (VALUES, "all", "[2.48 67.98]^T, [59.45 -67.98]^T", ("-67.98", "67.98")),
     (VALUES, "all", "[2.48; 67.98], [59.45; -67.98]", ("-67.98", "67.98")),

@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 
 from dhcli import check, load_exercise
+from dhcli.checking.judge import Judge
+from dhcli.checking.solving import covering
 from dhcli.checking.verdicts import Verdict
 
 ARM, JACOBIAN, FORMULAS = "yim/planar-two-links", "motion/planar-jacobian", "inverse/planar-joints"
@@ -44,6 +46,16 @@ def test_other_numbers_and_letters_are_not(exercise: str, part: str, answer: str
     judged = check(load_exercise(exercise), part, answer)
     assert judged.verdict is Verdict.WRONG
     assert judged.diagnosis is None or not any("numbers" in name for name in judged.diagnosis.names)
+
+
+def test_an_arm_in_numbers_is_drawn_once_for_all_answers(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In each unit, whichever it is looked for from."""
+    judge, drawn, points = Judge(load_exercise(FORMULAS)), list[object](), covering.points
+    monkeypatch.setattr(covering, "points", lambda *given: drawn.append(given) or points(*given))  # type: ignore[func-returns-value]
+    for wrong in ("acos((px^2 + py^2 - 0.25)/0.23)", "acos((px^2 + py^2 - 0.26)/0.24)"):
+        judge.check(judge.exercise.part("elbow"), wrong)
+    units = [judge.exercise.unit, *judge.exercise.other_units]
+    assert len(drawn) == 2 * len(units)  # with the lengths in letters, and in numbers
 
 
 @pytest.mark.parametrize(("behind", "is_told"), [(" m/s", True), (" m", False), ("", False)])

@@ -65,6 +65,8 @@ from tests.row_by_row import row_by_row
         ("check scara --pose", "dhcli check --help shows what can be typed"),
         ("new robot arm --convention", "dhcli new robot --help shows what can be typed"),
         ("fk scara --pose pick --force", "did you mean --overwrite?"),
+        ("rates scara --pose pick --linear 1,0,0", "did you mean --velocity"),
+        ("rates scara --pose pick --omega 0,0,1", "did you mean --angular?"),
         ("show scra", "did you mean scara"),
         ("show scara --format matlab", "there is no format matlab for a robot"),
         ("list robotz", "did you mean robots"),

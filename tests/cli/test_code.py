@@ -78,6 +78,7 @@ def test_a_way_back_takes_the_lengths_that_are_not_put_in(dhcli: Run) -> None:
         (("fk", "scara", "--code", "py"), "did you mean python or numpy?"),
         (("fk", "scara", "--code", "rust"), "beside one of these --format json gives the formulas"),
         (("fk", "scara", "-s", "--format", "octave"), "did you mean matlab?; Octave runs it; formats: json, table"),
+        (("fk", "scara", "-s", "--format", ""), "there is no format ''"),
         (("fk", "scara", "-s", "--format", "tex"), "did you mean latex?; formats: json, table"),
         (("fk", "scara", "--in", "q.csv", "--format", "ndjson"), "did you mean jsonl?"),
         (("fk", "scara", "--code", "c", "-o", "fk.py"), "write .c, or --code python"),

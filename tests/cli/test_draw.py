@@ -209,12 +209,13 @@ def test_the_linkages_of_a_task_stand_on_one_sheet_without_what_is_to_be_counted
     assert "coupler" in path.read_text("utf-8")
 
 
-def test_open_writes_a_page_and_opens_it(dhcli: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Without -o in a folder of its own."""
+def test_open_writes_a_page_and_opens_it(dhcli: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without -o in a folder of its own, where temporary files go."""
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     opened: list[str] = []
     monkeypatch.setattr("webbrowser.open", opened.append)
     assert dhcli("draw", "planar-2r", "--open").code == 0
-    assert opened[0].startswith("file://")
+    assert opened[0].startswith(f"file://{tmp_path}")
     assert opened[0].endswith("/planar-2r.html")
     assert Path(opened[0].removeprefix("file://")).read_text("utf-8").startswith("<!DOCTYPE html>")
     assert dhcli("draw", "wpi/puma560-table", "--open").code == 0

@@ -359,3 +359,6 @@ def test_the_file_goes_by_its_former_name_too(dhcli: Run, tmp_path: Path, comman
     assert (former.code, former.out, former.err) == (now.code, now.out, now.err)
     assert now.code == 0
     assert "--in " not in dhcli(command, "--help").out
+    both = dhcli(command, "planar-2r", "--rows", "rows.csv", "--in", "other.csv", *more)
+    assert both.code == 2
+    assert "--rows and --in both name the file" in both.err

@@ -497,6 +497,17 @@ def test_the_column_of_distances_ascends_and_is_what_the_joints_have_to_move(dhc
         assert math.hypot(*np.radians(np.degrees(q) - there)) == pytest.approx(distance, abs=1e-4)
 
 
+def test_where_spare_joints_keep_an_arm_outside_its_limits_other_places_are_proposed(dhcli: Run) -> None:
+    """Unless the user holds them all, or has asked for a family."""
+    asked = ("ik", "panda", "--position=-0.3,0,0.5", "--within-limits")
+    plain = dhcli(*asked)
+    assert plain.code == 1
+    assert "with theta3, theta5, theta6 and theta7 elsewhere there may be solutions inside the limits" in plain.err
+    for more in (["--family", "9"], [f"--hold=theta{k}=0" for k in (3, 5, 6, 7)]):
+        assert "elsewhere" not in dhcli(*asked, *more).err
+    assert dhcli(*asked, "--family", "9").code == 0
+
+
 def test_noise_is_no_part_of_the_name_of_a_branch(dhcli: Run) -> None:
     """A joint at -45° is called that, without a hundred-thousandth of a millionth of a degree."""
     done = dhcli("ik", "panda", "--pose", "ready", "--hold", "theta1=0", "--within-limits")

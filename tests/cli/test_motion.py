@@ -355,6 +355,8 @@ def test_torques_and_rates_come_in_every_format(dhcli: Run, command: str, format
         ),
         ("rates planar-2r --pose zero --in q.csv --rates 1,1", "one pose is taken: --q VALUES"),
         ("torques planar-2r --pose zero --force 0,1", "three numbers are wanted"),
+        ("torques planar-2r --pose zero --force 1,0,0,0,0,3Nm", "write --force 1,0,0 --moment 0,0,3Nm"),
+        ("rates planar-2r --pose zero --velocity 1,0,0,0,0,3", "write --velocity 1,0,0 --angular 0,0,3"),
         ("torques planar-2r --pose zero --force 0,0,3Nm", "3Nm is in N m, and N is wanted"),
         ("torques planar-2r --pose zero --force 0,0,3kg", "3kg is in kg, and N is wanted"),
         ("rates planar-2r --pose zero --velocity 0,0,3km/h", "3km/h is in km/h, and m/s is wanted"),

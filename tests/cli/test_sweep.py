@@ -55,6 +55,16 @@ def test_the_whole_answer_stands_on_a_page(dhcli: Run) -> None:
     assert done.out == PAGE
 
 
+def test_limits_of_a_file_are_in_degrees_and_radians_stay_what_was_typed(dhcli: Run) -> None:
+    """As `show` tells the limits, whose file has 2.8973 rad; the poses of a joint are told as its range is."""
+    rows = [line.split() for line in dhcli("sweep", "panda", "--over", "q1", "--over", "q2=-1..1 n 3").out.splitlines()]
+    assert ["theta1", "-166.0031°", "166.0031°", "1.8445°", "181"] in rows
+    assert ["theta2", "-1", "rad", "1", "rad", "1", "rad", "3"] in rows
+    farthest = next(row for row in rows if row[:1] == ["farthest"])
+    assert farthest[-3].endswith("°")
+    assert farthest[-1] == "rad"
+
+
 def test_json_has_exactly_these_keys(dhcli: Run) -> None:
     """A new key is a decision, and stands here; joint values are in radians and metres."""
     data = dhcli(*SCARA, "--format", "json").data

@@ -93,6 +93,7 @@ CASES: dict[str, Case] = {
             *("factorial(10**7)", "1e60^5"),
         )
     },
+    "a format without a name, for a file": Case(("fk", "scara", "-s", "--format", "", "-o", "x.json")),
     "degrees and minutes without a sign": Case(("transform", "Rot(z, 30° 15)")),
     "a number of joints that is none": Case(("dof", "4infR")),
     "1,000 joints in a pattern": Case(("dof", "loop 1000R")),

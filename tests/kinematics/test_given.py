@@ -8,7 +8,22 @@ from typing import Any
 import numpy as np
 import pytest
 
-from dhcli import DhcliError, Pose, Robot, forward, load_exercise, load_robot
+from dhcli import (
+    DhcliError,
+    Pose,
+    Robot,
+    forward,
+    forward_batch,
+    inverse,
+    inverse_batch,
+    jacobian,
+    joint_rates,
+    load_exercise,
+    load_robot,
+    quaternions,
+    torques,
+    velocity_of,
+)
 from dhcli.files.yaml.linkages import load_linkage
 from dhcli.files.yaml.robots import read_robot
 from dhcli.kinematics.moves import Rot, Trans
@@ -140,3 +155,42 @@ def test_names_of_the_usual_forms_are_names(name: str) -> None:
     """Greek, or with an index."""
     robot = read_robot(ROBOT.format(name=f'"{name}"', theta=f'"{name}"'), "x.yaml", "x")
     assert isinstance(robot, Robot)
+
+
+@pytest.mark.parametrize("width", ["c8", "c16"])
+def test_complex_numbers_are_refused_wherever_real_ones_are_wanted(width: str) -> None:
+    """`float` would take the real part of numpy's, and warn."""
+    arm, q = load_robot("scara"), [0.1, 0.2, 0.3]
+    pose = forward(arm, q)
+
+    def odd(given: Any) -> Any:  # noqa: ANN401
+        return np.array(given, width)
+
+    for ask in (
+        lambda: forward(arm, odd(q)),
+        lambda: forward(arm, q, parameters={"l1": odd(1)[()]}),
+        lambda: forward_batch(arm, odd([q])),
+        lambda: jacobian(arm, odd(q)),
+        lambda: inverse(arm, odd(pose.matrix)),
+        lambda: inverse(arm, pose, near=odd(q)),
+        lambda: inverse_batch(arm, odd([pose.matrix])),
+        lambda: quaternions(odd([pose.matrix])),
+        lambda: joint_rates(arm, q, odd([0.1, 0, 0])),
+        lambda: velocity_of(arm, q, odd([0.1, 0, 0])),
+        lambda: torques(arm, q, force=odd([1, 0, 0])),
+        lambda: pose @ odd([1, 0, 0]),
+    ):
+        with pytest.raises(DhcliError):
+            ask()
+
+
+def test_what_a_mask_hides_and_times_are_no_numbers() -> None:
+    """Joint values would be those behind the mask; an array with a mask that hides nothing is as good as any."""
+    arm, q = load_robot("scara"), np.array([[0.1, 0.2, 0.3]])
+    poses = forward_batch(arm, q)
+    for ask, given in ((forward_batch, q), (jacobian, q), (inverse, poses[0]), (inverse_batch, poses)):
+        with pytest.raises(DhcliError, match="a mask hides some of the numbers"):
+            ask(arm, np.ma.array(given, mask=given > 0.1))
+        with pytest.raises(DhcliError, match=r"no array of numbers|is no pose"):
+            ask(arm, np.zeros(given.shape, "M8[s]"))
+        ask(arm, np.ma.array(given))

@@ -52,6 +52,8 @@ def metres(value: str) -> Value:
         ("0 30° 432mm", (degrees(0), degrees(30), metres("0.432"))),
         ("[ 0.1 -0.2 .3 ]", (radians("0.1"), radians("-0.2"), metres("0.3"))),
         ("0,1 0,2 0,3", (radians("0.1"), radians("0.2"), metres("0.3"))),
+        ("0,1; 0,2;0,3", (radians("0.1"), radians("0.2"), metres("0.3"))),
+        ("0.1;0,2;0.3;", (radians("0.1"), radians("0.2"), metres("0.3"))),
         ("q1=0.1 d3=0.3 q2=pi/2", (radians("0.1"), degrees(90), metres("0.3"))),
         ("theta1=30°, theta2=0, d3=0", (degrees(30), degrees(0), metres("0"))),
         ("q3=0.1, q1=30°, θ2=-90°", (degrees(30), degrees(-90), metres("0.1"))),
@@ -103,7 +105,8 @@ def test_bare_numbers_may_be_degrees(scara: Robot) -> None:
         ("30 deg 20", "q: scara has 3 joints, 1 value given (wanted: theta1 [rad], theta2 [rad], d3 [m])"),
         ("0 0 30mm/", "q:10: the end where a number, a name or a bracket was expected"),
         ([[0, 0, 0]] * 3, "theta1 wants one number, not [0, 0, 0] (forward_batch takes a row for each pose)"),
-        ([None, 0, 0], "theta1 wants one number, not None (forward_batch takes a row for each pose)"),
+        ([None, 0, 0], "theta1 wants one number, not None"),
+        ([1 + 0j, 0, 0], "theta1 wants one number, not (1+0j)"),
         ("elbw", "q: scara has no pose called elbw (did you mean elbow?)"),
         ("30mm,0,0", "q:1: mm is a unit of length, an angle is wanted, and theta1 turns (write 30° or 0.5 rad)"),
         (

@@ -110,6 +110,21 @@ def test_a_cosine_of_degrees_without_their_sign_is_asked_about(text: str) -> Non
     read_chain(text.replace("30", "0.5236").replace("45", "0.7854"))
 
 
+@row_by_row(
+    ("matrix", "hint"),
+    [
+        ("[1 0 0 0; 0 1 0 0; 0 0 1 0]", "add the row 0 0 0 1"),
+        ("[1 0 0; 0 1 0; 0 0 1]", "add the position as fourth column, and the row 0 0 0 1"),
+        ("[1 2; 3 4]", ""),
+    ],
+)
+def test_a_matrix_that_is_part_of_a_pose_is_told_what_it_lacks(matrix: str, hint: str) -> None:
+    """Of any other, nobody knows what was meant."""
+    with pytest.raises(NotationError) as caught:
+        read_chain(matrix)
+    assert caught.value.problems[0].hint == hint
+
+
 def test_a_factor_keeps_its_text() -> None:
     """For headings of steps."""
     assert [factor.text for factor in parse_factors("Rot(z , 90°) *Trans_x(a) [1 0 0 0;0 1 0 0;0 0 1 0;0 0 0 1]")] == [

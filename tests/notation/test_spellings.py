@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 
 from dhcli.errors import NotationError
+from dhcli.notation.names import usual_aliases
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr, Number
+from dhcli.notation.tree import Expr, Number, Symbol, add
 from dhcli.notation.writer import write, write_angle
 from tests.row_by_row import row_by_row
 
@@ -165,6 +166,16 @@ def test_a_power_of_ten_is_asked_about_where_a_length_is_called_so() -> None:
     with pytest.raises(NotationError, match="2e1 could be a power of ten or a multiple of the length e1"):
         parse("2e1", names)
     assert write(parse("2e2", names)) == "200"
+
+
+def test_a_capital_that_is_a_name_stands_beside_the_small_letter() -> None:
+    """It is another length then; where it is none, nobody knows whether it is."""
+    two = Scope(lengths=("a1", "A1"), aliases=usual_aliases(("a1", "A1")))
+    assert parse("a1 + A1", two) == add(Symbol("a1"), Symbol("A1"))
+    one = Scope(lengths=("a1",), aliases=usual_aliases(("a1",)))
+    assert parse("A1 + A1", one) == parse("2*a1", one)
+    with pytest.raises(NotationError, match="A1 stands beside a1"):
+        parse("a1 + A1", one)
 
 
 def test_an_angle_called_like_a_length_is_known_by_its_list() -> None:

@@ -11,12 +11,12 @@ from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.determinant import DeterminantQuestion
 from dhcli.checking.kinds.linked import needed
-from dhcli.checking.motion.conditions import Condition, Zero, apart, covers, read_conditions
+from dhcli.checking.motion.conditions import Condition, Zero, apart, covers, last_said, read_conditions
 from dhcli.checking.motion.task import JacobianTask, found_for, listed
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.verdicts import Mark, Verdict
-from dhcli.errors import Place, are, plural
+from dhcli.errors import NotationError, Place, are, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.result import Singularities
@@ -103,7 +103,16 @@ class SingularQuestion(JacobianTask, Question[Conditions]):
         return read_conditions(text, case.exercise, place, joined=joined)
 
     def mark(self, case: Case, reading: Reading[Conditions]) -> Mark:
-        robot, wanted, given = needed(case.exercise.robot), self._right(case), reading.value
+        mark, last = self._marked(case, reading.value), last_said(reading.text)
+        if mark.verdict is not Verdict.RIGHT or last == reading.text:
+            return mark
+        try:  # what is said in other words has to be as right by itself
+            return self._marked(case, self.read(case, last))
+        except (UnreadableError, NotationError):
+            return mark
+
+    def _marked(self, case: Case, given: Conditions) -> Mark:
+        robot, wanted = needed(case.exercise.robot), self._right(case)
         named = [one for one in wanted if any(_same(one, other, robot) for other in given)]
         half = [one for one in given if any(zero.at is not None for zero in one)]
         half = [one for one in half if not any(covers(other, one, robot) for other in named)]

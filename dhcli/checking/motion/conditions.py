@@ -34,7 +34,7 @@ _EITHER = regex(
 )
 """`0°/180°`: one or the other, for nobody divides an angle by an angle here."""
 
-_ONE_OF = regex(r"\s*(?:∈|\\in\b|(?<=[\w}\s])in(?=\s*\\?\{))\s*\\?\{(?P<values>[^{}]{1,99}?)\\?\}")
+_ONE_OF = regex(r"\s{0,9}(?:∈|\\in\b|(?<=[\w}\s])in(?=\s*\\?\{))\s*\\?\{(?P<values>[^{}]{1,99}?)\\?\}")
 """`θ2 ∈ {0, π}`: one of these."""
 
 _WHOLE = regex(
@@ -42,8 +42,10 @@ _WHOLE = regex(
     r"\s{0,9}(?:ℤ|Z\b|\\mathbb\s?\{?Z\}?)\s?\)?"  # noqa: RUF001
 )
 """What is said of n behind `n*180°`: that it is whole."""
-_THAT_IS = regex(r",?\s*(?:\bi\.\s?e\.,?|⇒|⟹|=>)\s*")
+_THAT_IS = regex(r",?\s{0,9}(?:\bi\.\s?e\.,?|⇒|⟹|=>)\s*")
 """The same in other words: `s2 = 0, i.e. theta2 = 0 or 180°`."""
+_SEPARATED = regex(r"[,;\n]|\sor\s(?=[^,;\n]*=)")
+"""Between two conditions, and not between two angles."""
 
 _LISTED = regex(r"(?:(?<=[,;\n])|\A)\s*([^\W\d]\w{0,20})\s*,\s*([^\W\d]\w{0,20})\s*=(?!=)")
 """Names side by side, the first without a value of its own."""
@@ -113,6 +115,13 @@ def _check_values(text: str, exercise: Exercise) -> None:
         if len(names) == len(readings) and set(names) <= set(turning):
             values = " or ".join(f"{name} = ..." for name in names)
             raise UnreadableError(f"{names[0]} stands without a value before {names[1]}: write {values}")
+
+
+def last_said(text: str) -> str:
+    """A text without what it says again in other words: of `s2 = 0, i.e. theta2 = 0 or 180°` the angles are left."""
+    *others, last = _THAT_IS.split(text)
+    ends = (max((found.end() for found in _SEPARATED.finditer(one)), default=0) for one in others)
+    return "".join(one[:end] for one, end in zip(others, ends, strict=True)) + last
 
 
 def _groups(text: str, *, joined: bool) -> list[list[tuple[str, list[str]]]]:

@@ -10,6 +10,7 @@ from itertools import chain, product
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.solving.statements import SQUARE, STATEMENT, statements_in, with_own_capitals
 from dhcli.checking.units import ONE as METRE
 from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen
@@ -25,7 +26,7 @@ from dhcli.regex import regex
 MOST_SIGNS = 4
 """Signs ± in one answer; each doubles its values."""
 
-MOST_STATEMENTS = 12
+MOSTSTATEMENTS = 12
 _FACTORS = frozenset((0, 1, 2, 4, Fraction(1, 2), Fraction(1, 4), 180))
 """Numbers of formulas that are all in letters."""
 
@@ -36,9 +37,6 @@ _OR = regex(r"\s+(?:or|and)\s+")
 _NEXT = regex(r"(?:,|,?\s+(?:with|where|and|or)\s)(?=\s*\\?[^\W\d][\w{}\\]{0,20}(?:\^2|\*\*2|²)?[ \t]{0,9}=(?!=))")
 """Between statements in one line: `D = ..., theta2 = ...`, `theta2 = ... with D = ...`."""
 
-_STATEMENT = regex(r"\s*(?P<name>\\?[^\W\d][\w{}\\()+ ]*?(?:\^2|\*\*2|²)?)\s*=(?!=)\s*(?P<rest>.*)", re.DOTALL)
-_SQUARE = regex(r"(?P<base>[^\W\d]\w{0,20})\s{0,9}(?:\^2|\*\*2|²)")
-"""A name that is defined by its square, `r^2 = px^2 + py^2`."""
 _RIGHT_ANGLES = frozenset((90, 180, 270, 360))
 
 
@@ -97,8 +95,8 @@ def read_formula(text: str, asked: Sequence[str], scope: Scope, place: Place, un
         return tuple(dict.fromkeys(found))
 
     together = values(("+" * signs, "-" * signs)) if signs > 1 else ()
-    shown = _statements(text, asked)[-1].strip()
-    match = _STATEMENT.fullmatch(shown)
+    shown = statements_in(text, asked)[-1].strip()
+    match = STATEMENT.fullmatch(shown)
     return Formula(values(product("+-", repeat=signs)), match["rest"] if match else shown, signs, together)
 
 
@@ -116,44 +114,15 @@ def _signed(text: str, chosen: Sequence[str]) -> str:
     return "".join(letters)
 
 
-def _statements(text: str, asked: Sequence[str]) -> list[str]:
-    """The statements of a text, those that define what is long before the answers, wherever they stand."""
-    every = [part for line in text.splitlines() for part in line.split(";") if part.strip()] or [text]
-
-    def answers(statement: str) -> bool:
-        match = _STATEMENT.fullmatch(statement)
-        return match is None or canonical(match["name"].replace(" ", "")) in asked
-
-    asked_for = [statement for statement in every if answers(statement)]
-    return [*_in_order([statement for statement in every if not answers(statement)]), *asked_for]
-
-
-def _in_order(definitions: list[str]) -> Iterator[str]:
-    """Definitions, each behind those that it uses: `D = r^2 - a1, r^2 = px^2 + py^2`; in a circle, as they stand."""
-    left = list(definitions)
-    while left:
-        free = (one for one in left if not any(_uses(one, two) for two in left if two != one))
-        chosen = next(free, left[0])
-        left.remove(chosen)
-        yield chosen
-
-
-def _uses(one: str, other: str) -> bool:
-    """Whether what one definition defines something by is the name that another one defines."""
-    name = other.partition("=")[0].strip()
-    square = _SQUARE.fullmatch(name)
-    base = re.escape(square["base"] if square else name)
-    return re.search(rf"(?<![^\W\d]){base}(?![A-Za-z0-9_])", one.partition("=")[2]) is not None
-
-
 def _values(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: Fraction) -> list[Expr]:
-    statements = _statements(text, asked)
-    if len(statements) > MOST_STATEMENTS:
+    statements = statements_in(text, asked)
+    if len(statements) > MOSTSTATEMENTS:
         raise UnreadableError(f"{len(statements)} lines; the formula and names for what is long in it will do")
+    scope = with_own_capitals(scope, statements)
     known: dict[Expr, Expr] = {}
     found = list[Expr]()
     for statement in statements:
-        match = _STATEMENT.fullmatch(statement)
+        match = STATEMENT.fullmatch(statement)
         name = match["name"] if match else ""
         rest = match["rest"] if match else statement
         names = Scope(
@@ -188,7 +157,7 @@ def _parsed(text: str, scope: Scope, place: Place) -> Expr:
 
 def _defined(name: str, scope: Scope, place: Place) -> Expr:
     """What a name in front of `=` stands for: a new name, or the cosine or sine that `c2` is."""
-    square = _SQUARE.fullmatch(name)
+    square = SQUARE.fullmatch(name)
     if square and not scope.has(square["base"]):
         return Power(Symbol(canonical(square["base"])), Fraction(2))
     try:

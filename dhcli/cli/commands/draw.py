@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.many import In
+from dhcli.cli.shell.many import In, named_file
 from dhcli.cli.shell.options import AnyName, Untried, Variant, complete_pose
 from dhcli.cli.shell.spreading import But
 from dhcli.cli.shell.written import Overwrite, output_option
@@ -79,7 +79,7 @@ class Motion:
     @property
     def path(self) -> str | None:
         """The file with the rows."""
-        return self.in_ if self.rows is None else self.rows
+        return named_file(self.rows, self.in_)
 
 
 @frozen

@@ -13,7 +13,7 @@ from dhcli.cli.shell.options import complete_pose
 from dhcli.cli.shell.spreading import But
 from dhcli.cli.shell.wishes import POSE, Goal, Which
 from dhcli.cli.shell.written import Written, in_formats
-from dhcli.errors import ExitStatus
+from dhcli.errors import ExitStatus, joined
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -162,6 +162,10 @@ def _solved(chosen: Chosen, word: str | None, goal: Goal, which: Which, out: Wri
         from dhcli.kinematics.inverse.turns import inside_only
 
         found = inside_only(found)
+        spare = [name for name in arm.variables if name in dict(found.held) and name not in held]
+        if spare and not (len(found) or which.family):
+            said = f"with {joined(spare)} elsewhere there may be solutions inside the limits: --family 9 tries"
+            found = replace(found, remarks=(*found.remarks, said))
     found = only_branches(found, which.branch or [])
     delivery.hand_over("inverse", question.answered(found, near, why=why), (*question.remarks, *found.remarks))
     return ExitStatus.DONE if len(found) else ExitStatus.NOT_RIGHT

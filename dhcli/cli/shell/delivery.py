@@ -70,12 +70,13 @@ class Delivery:
         name = self.format
         if name is None and self.output is not None:
             name = format_by_ending(self.output, formats(kind), ENDINGS)
-        check_format(kind, name or "table")
+        name = "table" if name is None else name
+        check_format(kind, name)
         if self.format is not None:
             check_ending(self.output, self.format, "--format", formats(kind))
-        if self.style is not None and name not in (None, "table", "json"):
+        if self.style is not None and name not in ("table", "json"):
             raise DhcliError(f"--style is for tables; {name} has its own spelling", "leave one of the two out")
-        return name or "table"
+        return name
 
     def check_output(self) -> None:
         """Make sure that the file may be written, before work begins that takes long.

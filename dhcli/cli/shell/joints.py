@@ -12,7 +12,7 @@ from dhcli.notation.quantity import Bare
 from dhcli.regex import regex
 
 _ASSIGNS = regex("[=:]")
-_ONE_JOINT = regex(r'"?([^\W\d]\w*)"?\s*[=:\s]\s*([-+−–.\d√π(][^=:,;]*(?:,\d[^=:,;]*)?)')  # noqa: RUF001  minus signs
+_ONE_JOINT = regex(r'"?([^\W\d]\w*)"?\s{0,20}[=:\s]\s{0,20}([-+−–.\d√π(][^=:,;]*(?:,\d[^=:,;]*)?)')  # noqa: RUF001  minus signs
 """A joint and its value in a line."""
 
 

@@ -25,6 +25,17 @@ In: TypeAlias = Annotated[str | None, typer.Option("--in", metavar="FILE", hidde
 """What `--rows` was once called; where a command knows axes, `--in` is a frame."""
 
 
+def named_file(rows: str | None, former: str | None) -> str | None:
+    """The file that was typed behind `--rows`, or behind its former name; None if none was.
+
+    Raises:
+        DhcliError: There are two.
+    """
+    if rows is not None and former is not None:
+        raise DhcliError("--rows and --in both name the file with the rows", "give it once, with --rows FILE")
+    return former if rows is None else rows
+
+
 @frozen
 class Many:
     """The options about the rows of a file, as they were typed; `spread` makes options of a command of it.
@@ -76,7 +87,7 @@ class Many:
             DhcliError: There is no file, or one of the others is given.
         """
         own = "--skip-bad, --ignore-columns, --index and --jobs"
-        return file_of_rows(self.in_ if self.rows is None else self.rows, own, robot, others, instead)
+        return file_of_rows(named_file(self.rows, self.in_), own, robot, others, instead)
 
 
 @frozen
@@ -126,7 +137,7 @@ class ManyPoses:
     def file(self, robot: str, others: Mapping[str, object], instead: str) -> str:
         """The file with the poses; as for `Many`."""
         own = "--each, --follow, --skip-bad and --jobs"
-        return file_of_rows(self.in_ if self.rows is None else self.rows, own, robot, others, instead)
+        return file_of_rows(named_file(self.rows, self.in_), own, robot, others, instead)
 
 
 def file_of_rows(path: str | None, own: str, robot: str, others: Mapping[str, object], instead: str) -> str:

@@ -34,6 +34,9 @@ _MOMENT = regex(r"(k?N)\s*[*·]?\s*(mm|cm|m)")
 _OTHER = regex(r".*\d\s*(?P<unit>kg|kgf|g|lbf?|km/h|mph|ft/s|in/s|rpm|rev/s|J)")
 """A number with a unit of something else."""
 
+_BESIDE = {"--force": "--moment", "--velocity": "--angular"}
+"""Where the other three of six numbers stand."""
+
 KNOWN = (FORCE, MOMENT, SPEED, TURNING)
 
 
@@ -54,7 +57,12 @@ def vector_of(text: str, option: str, units: Mapping[str, Expr], robot: Robot) -
     place = Place(option, text=text)
     if len(pieces) != 3:  # noqa: PLR2004
         message = f"three numbers are wanted, {text!r} has {plural(len(pieces), 'number')}"
-        raise DhcliError(Problem(message, place, f"write {option} 0,0,10: along x, y and z, in {next(iter(units))}"))
+        own = next(iter(units))
+        hint = f"write {option} 0,0,10: along x, y and z, in {own}"
+        if len(pieces) == 6 and option in _BESIDE:  # noqa: PLR2004
+            first, last = (",".join(piece.strip() for _, piece in part) for part in (pieces[:3], pieces[3:]))
+            hint = f"write {option} {first} {_BESIDE[option]} {last}"
+        raise DhcliError(Problem(message, place, hint))
     scope = open_scope(robot)
     x, y, z = (_read(piece, units, scope, replace(place, column=offset + 1)) for offset, piece in pieces)
     return x, y, z

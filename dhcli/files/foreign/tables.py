@@ -48,14 +48,14 @@ def read_table(text: str, source: str, units: str = "") -> tuple[Heads, list[Row
 
 
 def _without_numbers(heads: Heads, rows: Sequence[Sequence[str]]) -> Heads:
-    """The heads, of which those that stand over the numbers of the rows say nothing; one over them may be missing."""
+    """The heads, of which a first one over the numbers of the rows says nothing; it may be missing, too."""
     if all(len(cells) == len(heads.columns) + 1 for cells in rows) and _are_numbers([cells[0] for cells in rows]):
         heads = replace(heads, columns=("", *heads.columns), units=("", *heads.units))
     if not all(len(cells) == len(heads.columns) for cells in rows):
         return heads  # which is told of the row
-    counted = zip(heads.columns, zip(*rows, strict=True), strict=True)
-    columns = ("" if name not in _READ and _are_numbers(texts) else name for name, texts in counted)
-    return replace(heads, columns=tuple(columns))
+    first, *others = heads.columns
+    is_number = first not in _READ and _are_numbers([cells[0] for cells in rows])
+    return replace(heads, columns=("", *others)) if is_number else heads
 
 
 def _are_numbers(texts: Sequence[str]) -> bool:

@@ -32,6 +32,8 @@ MOST_THREADS = 4
 """Threads up to which blocks grow; more share one of that length, and memory stays small."""
 _SAVE = "np.save('q.npy', np.ascontiguousarray(Q, dtype=float))"
 """What makes a file that is read."""
+_PLAIN = "np.save('q.npy', np.lib.recfunctions.structured_to_unstructured(Q))"
+"""What makes one of an array whose columns have names."""
 
 
 def place_in_array(source: Source, row: int) -> Place:
@@ -67,13 +69,13 @@ class NpyArray:
             FileError: It holds something else.
         """
         place = Place(self._source.name)
+        if self._kind.kind not in "fiu":
+            what, how = (self._kind.name, _SAVE) if self._kind.names is None else ("records", _PLAIN)
+            raise FileError(Problem(f"holds {what}, not real numbers", place, how))
         if not is_wanted:
             raise FileError(Problem(f"has the shape {self.shape}, and {wanted}", place, hint))
         if self.shape[0] < 0:
             raise FileError(Problem(f"promises {self.shape[0]} rows", place, _SAVE))
-        if self._kind.kind not in "fiu":
-            message = f"holds {self._kind.name if self._kind.names is None else 'records'}, not real numbers"
-            raise FileError(Problem(message, place, _SAVE))
 
     def pieces(self, most: int) -> Iterator[tuple[int, NDArray[np.float64]]]:
         """The numbers of the first row of a piece, and the rows of it.

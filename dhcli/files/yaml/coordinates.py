@@ -21,7 +21,7 @@ from dhcli.regex import regex
 MOST_NAMES = 1_000
 """Names under `let:`; each is read with all before it in view."""
 
-_BETWEEN = regex(r"\s*([^\s>→-]+)\s*(?:-+>?|→|,)?\s*([^\s>→-]+)\s*")
+_BETWEEN = regex(r"\s*([^\s>→-]{1,99})\s{0,9}(?:-{1,9}>?|→|,)?\s{0,9}([^\s>→-]{1,99})\s*")
 _FROM_TO = regex(r"\s*(\S+)\s+to\s+(\S+)\s*")
 
 

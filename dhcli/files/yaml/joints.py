@@ -19,7 +19,7 @@ from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.regex import regex
 
 _PLACED = regex(r"(\S+)\s+(\S+)\s+(\S+)\s+at\s*[\[(]([^\[\]()]*)[\])]")
-_ARROW = regex(r"\s-+\s|\s*(?:-+>|→)\s*|,\s")
+_ARROW = regex(r"\s-{1,9}\s|\s{0,9}(?:-{1,9}>|→)\s*|,\s")
 _SHORT = regex(
     r"(?P<a>\S+)\s+(?P<pair>\S+)\s+(?P<b>\S+)(?:\s+at\s+(?P<point>\S+))?(?:\s+(?:about|along)\s+(?P<axis>\S.*))?"
 )

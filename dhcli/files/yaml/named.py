@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from os.path import isfile
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
@@ -61,7 +62,7 @@ class Named:
         if is_path(kinds[0], name):
             return self.folder / name
         files = (root / kind.folder / f"{name}.yaml" for root in self.roots for kind in kinds if NAME.fullmatch(name))
-        return next((path for path in files if path.is_file()), name)
+        return next((path for path in files if isfile(path)), name)
 
     def _found(self, key: str, place: Place, load: Callable[[], T]) -> T | None:
         """What is loaded; None if it cannot be: told at the place that names it, with the place in its own file."""
@@ -76,7 +77,7 @@ class Named:
     def _elsewhere(self, name: str, kind: Kind) -> str:
         """The name by which a file is found whose path leads nowhere from here; empty if it does, or none is found."""
         stem = Path(name).stem
-        if name == "-" or not is_path(kind, name) or (self.folder / name).is_file():
+        if name == "-" or not is_path(kind, name) or isfile(self.folder / name):
             return ""
         try:
             if not isinstance(self._meant(stem, kind), Path):

@@ -17,7 +17,7 @@ from dhcli.regex import regex
 from dhcli.safe import yaml_scalar
 
 _WORD = regex(r"[^\s]+")
-_PAIR = regex(r"±\s*(?P<both>[^-+±,]+)|(?P<low>[^,]+?)\s*(?:\.\.+|…| to )\s*(?P<high>[^,]+)")
+_PAIR = regex(r"±\s*(?P<both>[^-+±,]+)|(?P<low>[^,]{1,99}?)\s{0,9}(?:\.\.{1,9}|…| to )\s{0,9}(?P<high>[^,]{1,99})")
 """Two ends of a range, `±170°` or `-90°..90°`."""
 _WHOLE = regex(r"[-+]?[0-9]+")
 Entry: TypeAlias = tuple[PlacedScalar, PlacedNode]

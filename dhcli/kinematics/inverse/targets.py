@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.errors import RobotError
+from dhcli.geometry.real_arrays import real_numbers
 from dhcli.kinematics.pose import Pose
 
 if TYPE_CHECKING:
@@ -39,12 +40,8 @@ def read_targets(given: ArrayLike | Pose[float], task: Task) -> tuple[Array, flo
     Raises:
         RobotError: It is none of these, has an entry that is no number, or its nine cosines are no rotation.
     """
-    try:
-        array = np.array(given.matrix if isinstance(given, Pose) else given, dtype=np.float64)
-    except (TypeError, ValueError, OverflowError):
-        hint = "wanted: a pose, or numbers of the shape (4, 4)"
-        raise RobotError(f"{given!r:.60} is no pose", hint) from None
-    poses = _as_poses(array, task)
+    none = RobotError(f"{type(given).__name__} is no pose", "wanted: a pose, or numbers of the shape (4, 4)")
+    poses = _as_poses(real_numbers(given.matrix if isinstance(given, Pose) else given, none), task)
     if not np.isfinite(poses).all():
         raise RobotError("the pose has an entry that is not a number", "every entry must be finite")
     if np.abs(poses[:, :3, 3]).max(initial=0) > FARTHEST:

@@ -11,6 +11,7 @@ from dhcli.errors import RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.geometry.rank import decided, rank_of
 from dhcli.kinematics.forward import Given
+from dhcli.kinematics.given import real
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import JointInput, Values, joint_values, parameter_values, size
 from dhcli.kinematics.velocity.form import Form, Which, part_of
@@ -216,7 +217,7 @@ def moved(rows: Sequence[Sequence[float]], joints: Sequence[str], rates: Sequenc
         RobotError: There are too many or too few rates, or one is no real number.
     """
     try:
-        given = [float(rate) for rate in rates]
+        given = [*map(real, rates)]
     except (TypeError, ValueError):
         raise RobotError(f"rates are numbers, not {rates!r:.60}") from None
     check_rates(given, joints)

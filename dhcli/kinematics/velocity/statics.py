@@ -12,7 +12,7 @@ from dhcli.algebra.terms import TERMS
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.forward import Given
-from dhcli.kinematics.given import coordinates
+from dhcli.kinematics.given import coordinates, real
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import JointInput, Values, given_parameters, joint_values, parameter_values
 from dhcli.kinematics.velocity.jacobian import Jacobian, numeric_jacobian, textbook_jacobian
@@ -166,7 +166,7 @@ def three_numbers(given: Sequence[float], what: str) -> Triple[float]:
         RobotError: They are something else.
     """
     try:
-        found = tuple(float(value) for value in given)
+        found = tuple(map(real, given))
     except (TypeError, ValueError):
         raise RobotError(f"{what} is three numbers, not {given!r:.60}", "in symbols, names too") from None
     three = _three(found, what)

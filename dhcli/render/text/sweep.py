@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+import math
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, TypeAlias
 
 from dhcli.files.rows import POSITION
@@ -34,7 +35,7 @@ def sweep_table(result: Sweep, look: Look) -> str:
     """The whole answer, to be read from top to bottom."""
     paper, target, grid = look.paper, result.target, result.grid
     context = [NAMES[target.robot.convention], *value_lines(target.robot, target.lengths), "lengths in m"]
-    held = [f"{axis.name} = {_value(axis, axis.first, look)}" for axis in grid.held]
+    held = [f"{axis.name} = {_value(result, axis, axis.first, look)}" for axis in grid.held]
     dim = [*packed(map(paper.spell, context), paper)]
     if held:
         dim += packed(map(paper.spell, (f"held: {held[0]}", *held[1:])), paper)
@@ -42,7 +43,7 @@ def sweep_table(result: Sweep, look: Look) -> str:
         heading_text(_heading(result, look), paper),
         *(paper.ink(line, "dim") for line in dim),
         "",
-        _axes(grid.swept, look),
+        _axes(result, look),
         paper.spell(f"{grid.count:,} poses; {_reach(result, look)}"),
         paper.spell("box: " + " · ".join(_side(result, k, look) for k in range(3))),
         "",
@@ -114,12 +115,16 @@ def _side(result: Sweep, k: int, look: Look) -> str:
     return f"{_AXES[k]} {low} to {high}"
 
 
-def _axes(axes: Iterable[Axis], look: Look) -> str:
+def _axes(result: Sweep, look: Look) -> str:
     """What each joint is swept over."""
     heads = ("joint", "from", "to", "step", "values")
     rows = [
-        (axis.name, *(_value(axis, value, look) for value in (axis.first, axis.last, axis.step)), f"{axis.count:,}")
-        for axis in axes
+        (
+            axis.name,
+            *(_value(result, axis, each, look) for each in (axis.first, axis.last, axis.step)),
+            f"{axis.count:,}",
+        )
+        for axis in result.grid.swept
     ]
     return table_text(heads, rows, look.paper)
 
@@ -132,7 +137,7 @@ def _extremes(result: Sweep, look: Look) -> list[str]:
     for k, axis in enumerate(_AXES):
         places[axis] = aligned(look.numbers(extreme.position[k] for extreme in extremes))
     joints = {
-        axis.name: aligned([look.paper.spell(_value(axis, extreme.q[axis.name], look)) for extreme in extremes])
+        axis.name: aligned([look.paper.spell(_value(result, axis, extreme.q[axis.name], look)) for extreme in extremes])
         for axis in result.grid.swept
     }
     parts: list[Columns] = [{**places, **joints}]
@@ -157,13 +162,15 @@ def _width(columns: Columns) -> int:
     return sum(max(len(head), *map(len, cells)) + _GAP for head, cells in columns.items())
 
 
-def _value(axis: Axis, value: Value, look: Look) -> str:
-    """A joint value for people: an angle in degrees, unless one of its axis has radians."""
+def _value(result: Sweep, axis: Axis, value: Value, look: Look) -> str:
+    """A joint value for people: an angle in degrees, unless an end of its axis was typed in radians."""
     if not isinstance(value, Angle):
         return f"{_alone(in_floats(value), look)} m"
-    if any(isinstance(end, Angle) and end.radians for end in (axis.first, axis.last)):
+    ends = (axis.first, axis.last)
+    in_radians = any(isinstance(end, Angle) and end.radians for end in ends)
+    if in_radians and ends != result.target.robot.limits.get(axis.name):
         return f"{_alone(value.constant(), look)} rad"
-    return f"{_alone(float(value.degrees), look)}°"
+    return f"{_alone(math.degrees(value.constant()) if in_radians else float(value.degrees), look)}°"
 
 
 def _alone(value: float, look: Look) -> str:

@@ -237,6 +237,13 @@ def test_numbers_of_rows_stand_between_blanks_too(head: str) -> None:
     assert gap(robot, [0.3, 0.5], standard(0.3, 0, 0.4, math.pi / 2) @ standard(0.5, 0, 0.3, 0)) < 1e-15
 
 
+@pytest.mark.parametrize("head", ["prismatic", "offset2"])
+def test_numbers_behind_the_first_column_number_no_rows(head: str) -> None:
+    """There 0 and 1 say something of the arm, as whether a joint slides."""
+    with pytest.raises(FileError, match=f"x:1:17: {head} is no column"):
+        imported(f"a,alpha,d,theta,{head}\n0.3,0,0,q1,0\n0,0,q2,0,1\n", convention="standard")
+
+
 @pytest.mark.parametrize("texts", [("1", "3"), ("2", "3"), ("5", "5"), ("a", "b")])
 def test_other_numbers_under_a_head_that_is_not_known_are_told(texts: tuple[str, str]) -> None:
     """They may be what somebody has mistyped."""

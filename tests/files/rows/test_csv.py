@@ -310,7 +310,7 @@ def test_columns_of_something_else_may_be_left_aside(stamp: str) -> None:
 
 
 def test_the_numbers_of_rows_that_dhcli_writes_are_left_aside(tmp_path: Path) -> None:
-    """`ik --in` and `--index` put them in front; a joint of that name keeps its column."""
+    """`ik --rows` and `--index` put them in front; a joint of that name keeps its column."""
     assert read("row,theta1,theta2,d3\n2,0.1,0.2,0.3\n").tolist() == [ROW]
     oar = tmp_path / "oar.yaml"
     oar.write_text(

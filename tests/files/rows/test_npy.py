@@ -123,6 +123,7 @@ def test_numbers_that_are_not_finite_are_named_as_numpy_counts() -> None:
         (saved(Q.astype("U9")), "holds str288, not real numbers"),
         (saved(Q.astype(object)), "holds object, not real numbers"),
         (saved(np.zeros((2, 3), [("a", float)])), "holds records, not real numbers"),
+        (saved(np.zeros(2, [("theta1", float), ("d3", float)])), "holds records, not real numbers"),
         (saved(np.asfortranarray(Q))[:-1], "is cut off"),
         (saved(Q)[:-1], "is cut off: it holds 4 of the 5 rows that it promises"),
         (saved(Q)[:40], "is no .npy file that can be read"),

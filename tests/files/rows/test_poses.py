@@ -1,4 +1,4 @@
-"""Poses in files, as `ik --in` reads them: whole blocks at once, and the same row by row."""
+"""Poses in files, as `ik --rows` reads them: whole blocks at once, and the same row by row."""
 
 from __future__ import annotations
 

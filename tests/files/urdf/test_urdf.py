@@ -10,7 +10,7 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import pytest
 
-from dhcli.errors import DhcliError, FileError
+from dhcli.errors import DhcliError, FileError, RobotError
 from dhcli.files.urdf.numbers import round_degrees
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.files.urdf.writing import urdf_text
@@ -131,6 +131,9 @@ def test_joints_have_the_names_of_the_file_too() -> None:
     assert named.rows == forward(robot, [0.3, -1.1, 0.2]).rows
     other = read_urdf(THREE.replace('name="slide"', 'name="q1"'), "x", "x", tip="tool0")
     assert joint_values(other, "q1=0.2") == joint_values(other, "d3=0.2")
+    for wrong, hint in (("elbw", "did you mean elbow"), ("thta2", "did you mean theta2"), ("foo", "known: theta1")):
+        with pytest.raises(RobotError, match=f"no joint {wrong} .*{hint}"):
+            joint_values(robot, f"{wrong}=0.2")
 
 
 def test_a_rounded_turn_at_the_tip_is_told_by_the_turn() -> None:

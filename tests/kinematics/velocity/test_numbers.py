@@ -310,7 +310,7 @@ def test_many_rows_may_lie_in_memory_as_they_like() -> None:
         (np.zeros((2, 3)), {"threads": 0}, "threads is a number from 1, not 0"),
         (np.zeros((2, 3)), {"threads": "2"}, "threads is a number from 1, not '2'"),
         (np.zeros((2, 3)), {"dtype": int}, "float64 or float32"),
-        (np.zeros((2, 3), complex), {}, "Q holds complex numbers"),
+        (np.zeros((2, 3), complex), {}, "complex numbers are given"),
         (np.array([[None, object(), 0]]), {}, "Q is no array of numbers"),
         (np.zeros((2, 4)), {}, r"scara has 3 joints; Q has the shape \(2, 4\)"),
     ],

@@ -229,6 +229,15 @@ def test_what_somebody_wrote_stays_in_the_comment() -> None:
     assert found[0][3] == pytest.approx(0.7)
 
 
+@pytest.mark.parametrize("end", ["\\", "\\ ", "\\\n", "??/"])
+def test_a_comment_of_c_does_not_go_on_in_the_next_line(end: str) -> None:
+    """Behind a backslash, also where C99 spells it so, the head of the function would be part of the comment."""
+    robot = replace(load_robot("planar-2r"), source=f"notes{end}")
+    lines = code(forward_function(robot, View.of(robot), {}), "c").splitlines()
+    assert any(line.startswith("// Source: notes") for line in lines)
+    assert not [line for line in lines if line.rstrip().endswith(("\\", "??/"))]
+
+
 def test_the_command_knows_every_language() -> None:
     """Its list and that of the writers are one."""
     assert set(written.LANGUAGES) == set(LANGUAGES)
