@@ -17,6 +17,9 @@ _LONE_UNIT = regex(
     rf"(?P<numbers>{_PLAIN}(?:(?:\s{{0,9}}[,;]\s{{0,9}}|[ \t]{{1,9}}){_PLAIN}){{1,9}})"
     r"\s{0,9}(?P<unit>°/s|°|[A-Za-z][A-Za-z·*/ ]{0,7})[)\]]?\s{0,9}\.?\s{0,9}"
 )
+_NEXT = regex(r"[ \t]{0,9}\n\s{0,9}|[,;][ \t]{0,9}(?=\(?\d[.)][ \t])")
+_NUMBERED = regex(r"\(?(?P<number>\d)[.)][ \t]{1,9}(?P<rest>\S.{0,998})")
+"""A line of a numbered list, `2. a1*s1`; without a blank behind the stop it begins with a number."""
 LONGEST = 400
 """Characters of a list in which the unit behind its last number may be that of all."""
 _TRANSPOSED = regex(r"(?:\^ ?\{? ?\\?(?:T|top|mathsf\{T\}) ?\}?|\.T|\.?') ?$")
@@ -57,6 +60,16 @@ def flat(text: str) -> str:
         return f"{inside}{match['behind'].strip() or ','} " if _SEPARATED.search(inside) else match[0]
 
     return _GROUP.sub(outside, text).rstrip(" ,")
+
+
+def unnumbered(text: str) -> str:
+    """Lines or pieces behind `1.`, `2.`, `3.`, or `1)`, without these numbers; a text without all of them as it is."""
+    lines = _NEXT.split(text.strip())
+    found = [_NUMBERED.fullmatch(line) for line in lines]
+    numbers = [match["number"] for match in found if match]
+    if len(lines) < 2 or numbers != [str(k) for k in range(1, len(lines) + 1)]:  # noqa: PLR2004
+        return text
+    return "\n".join(match["rest"].strip(" \t,;") for match in found if match)
 
 
 def untransposed(text: str) -> str:

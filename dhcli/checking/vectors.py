@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from dhcli.checking.lists import closing, untransposed
+from dhcli.checking.lists import closing, unnumbered, untransposed
 from dhcli.errors import NotationError
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
@@ -45,7 +45,7 @@ def as_column(text: str, scope: Scope, *, is_axis: bool) -> str:
         scope: The names it may use.
         is_axis: Whether a direction was asked for, which `+y` is.
     """
-    body = untransposed(text.strip())
+    body = unnumbered(untransposed(text.strip()))
     if (match := _UNIT_BEHIND.fullmatch(body)) and _is_whole(vector := untransposed(match["vector"])):
         return f"{as_column(vector, scope, is_axis=is_axis)} {match['unit']}"
     if is_axis and (match := _AXIS.fullmatch(body)):
