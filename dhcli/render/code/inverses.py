@@ -36,6 +36,9 @@ from dhcli.render.code.stages import Stage, Stages, entries_used, lengths_used, 
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words
 
+_ALWAYS_ALL = 3
+"""So many joints have formulas that say something wherever the arm can be."""
+
 _ONE = "1 + 1e-9"
 """A cosine up to this is one of 1: that of an arm stretched out is 1 but for rounding, of a pose in a file too."""
 
@@ -82,6 +85,8 @@ def _said(
     yield f"Every solution of {robot.name} for {of} of {frame_words(result.end)} seen from {frame_words(result.start)}."
     yield f"{robot_words(robot)}; radians and metres."
     yield f"Joint values of each, in this order: {', '.join(joints)}; at most {plural(result.branches, 'solution')}."
+    if len(joints) > _ALWAYS_ALL:
+        yield "At a singular pose, where a formula says nothing, some of them may be missing."
     if tried := [atom_text(stage.step.atom) for stage in stages.steps if stage.is_tried]:
         yield f"Where {', or '.join(tried)} is free, four values of it are tried: at most {stages.most}."
     if spelling.language.name == "c":
