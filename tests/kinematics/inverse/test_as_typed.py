@@ -13,6 +13,7 @@ from dhcli.kinematics.inverse.as_typed import as_typed, at_limits, poses_as_type
 from dhcli.kinematics.inverse.solutions import Solutions
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
+from tests.nightly import in_turn, some
 
 ARMS = ("articulated", "planar-2r", "scara", "spherical-wrist", "zhou-3r", "cylindrical", "palletizer")
 
@@ -29,7 +30,7 @@ def test_a_pose_of_few_decimals_has_the_solutions_of_the_pose_that_was_meant(nam
     robot = load_robot(name)
     pose = np.array(forward(robot, (0.35, 0.97, 0.61, 0.82)[: len(robot.variables)]).matrix)
     meant = inverse(robot, pose)
-    for decimals in (4, 3):
+    for decimals in in_turn((4, 3), ARMS.index(name), 2):
         found = typed(robot, pose, decimals)
         assert len(found) == len(meant)
         assert max(found.distances(row).min() for row in meant) < 100 * 10.0**-decimals
@@ -56,7 +57,7 @@ def test_a_pose_that_its_digits_do_not_reach_has_no_solution_as_before() -> None
     assert len(typed(robot, pose, 3)) == 1
 
 
-@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("name", in_turn(ARMS, 0, 3))
 def test_rows_of_few_decimals_have_the_pose_that_a_single_one_has(name: str) -> None:
     """Those that the arm takes as they are, or that are exact, are left as they are."""
     robot = load_robot(name)
@@ -97,7 +98,7 @@ def test_a_joint_at_its_limit_is_there_to_the_digits_typed(name: str) -> None:
         robot = replace(robot, limits={robot.variables[1]: (Angle.in_degrees(-20), Angle.in_degrees(40))})
     pairs = [(name, *map(in_floats, robot.limits[name])) for name in robot.limits]
     seen = 0
-    for joint, low, high in pairs:
+    for joint, low, high in some(pairs, 2):
         q = dict(zip(robot.variables, (0.31, 0.42, -0.53, -0.64, 0.75, 0.86, 0.97), strict=False))
         for at in (low, high, high + np.radians(3)):
             q[joint] = at
