@@ -33,7 +33,7 @@ from dhcli.kinematics.velocity.view import MotionView, Viewing, joints_between, 
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from tests.kinematics.arms import PAN_TILT, hinges, joint_point, moving_robots, with_values
-from tests.nightly import examples, in_turn, paired
+from tests.nightly import examples, in_turn, paired, some
 from tests.row_by_row import row_by_row
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def differences(robot: Robot, q: list[float], parameters: dict[str, str | float]
 def test_a_jacobian_is_the_slope_of_the_pose(name: str) -> None:
     """To a relative 1e-8, for every robot of the library."""
     robot, parameters = load_robot(name), with_values(load_robot(name))
-    for seed in (1, 2):
+    for seed in in_turn((1, 2), ROBOTS.index(name), 2):
         q = joint_point(robot, seed)
         found = jacobian(robot, q, parameters=parameters)
         assert np.abs(found - differences(robot, q, parameters)).max() <= 1e-8 * max(1.0, np.abs(found).max())
@@ -83,7 +83,7 @@ def test_symbols_with_numbers_put_in_are_floats_and_columns(name: str) -> None:
     at = Floats({**numbers(parameter_values(robot, parameters)), **dict(zip(robot.variables, q, strict=True))})
     inside: Viewing = {"start": "base", "end": "tool", "axes": robot.frames[2]}
     further: Viewing = {"start": robot.frames[1], "axes": "base", "place": robot.frames[2], "point": (0.1, 0.2, 0)}
-    for viewing in (*in_turn(VIEWS, ROBOTS.index(name) // 2, 3), inside, further):
+    for viewing in (*in_turn(VIEWS, ROBOTS.index(name) // 2, 6), inside, further):
         one = jacobian(robot, q, parameters=parameters, **viewing)
         many = jacobian(robot, np.array([q, q]), parameters=parameters, **viewing)
         terms = [[at.value(entry) for entry in row] for row in symbolic_jacobian(robot, **viewing).rows]
@@ -98,7 +98,7 @@ def test_what_is_asked_again_is_the_same(name: str) -> None:
     if any(value is None for value in robot.parameters.values()):
         return
     q = joint_point(robot, 3)
-    for viewing in in_turn(VIEWS, ROBOTS.index(name) // 2, 3):
+    for viewing in in_turn(VIEWS, ROBOTS.index(name) // 2, 6):
         for more in ({}, {"part": "angular"}, {"part": "linear", "angular_first": True}):
             first = jacobian(robot, q, **more, **viewing)
             for asked in (q, tuple(q), np.array(q)):
@@ -130,10 +130,10 @@ def test_values_put_in_exactly_are_those_values(name: str, viewing: Viewing) -> 
     """Every other joint and one length; the others are put in afterwards."""
     robot = load_robot(name)
     q = dict(zip(robot.variables, joint_point(robot, 2), strict=True))
-    some = {joint: q[joint] for joint in robot.variables[::2]}
+    half = {joint: q[joint] for joint in robot.variables[::2]}
     length = next(name for name in robot.parameters if name not in robot.angles)
     at = Floats({**numbers(parameter_values(robot, {})), **q})
-    put = symbolic_jacobian(robot, some, parameters={length: 0.31}, **viewing)
+    put = symbolic_jacobian(robot, half, parameters={length: 0.31}, **viewing)
     expected = jacobian(robot, list(q.values()), parameters={length: 0.31}, **viewing)
     assert np.allclose([[at.value(entry) for entry in row] for row in put.rows], expected, atol=1e-12)
 
@@ -156,7 +156,7 @@ def test_a_jacobian_in_another_frame_is_turned(name: str) -> None:
     robot, parameters = load_robot(name), with_values(load_robot(name))
     q = joint_point(robot, 4)
     base = jacobian(robot, q, parameters=parameters)
-    for frame in robot.frames:
+    for frame in some(robot.frames, 3):
         turn = forward(robot, q, end=frame, parameters=parameters).matrix[:3, :3].T
         turned = np.vstack([turn @ base[:3], turn @ base[3:]])
         assert np.allclose(jacobian(robot, q, axes=frame, parameters=parameters), turned, atol=1e-13)
@@ -228,7 +228,10 @@ def _angles(rotation: NDArray[np.float64], axes: tuple[int, ...]) -> list[float]
                     for e in np.eye(3) * 1e-6
                 ]
             ).T
-            guess = guess - np.linalg.lstsq(slope, off.ravel(), rcond=None)[0]
+            step = np.linalg.lstsq(slope, off.ravel(), rcond=None)[0]
+            guess = guess - step
+            if np.abs(step).max() < 1e-13:
+                break
         inside = 0 < guess[1] < np.pi if proper else abs(guess[1]) < np.pi / 2
         if inside and np.abs(_rotation(list(guess), axes) - rotation).max() < 1e-10:
             return list(guess)
