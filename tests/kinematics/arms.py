@@ -17,6 +17,12 @@ DH = tuple[str, int, str]
 """a, alpha in degrees and d of a row; names of lengths, or nothing for 0."""
 
 
+@cache
+def robot_once(name: str) -> Robot:
+    """A robot, read once for all tests of a process; what is found for it is found once as well."""
+    return load_robot(name)
+
+
 def hinges(name: str, *rows: DH) -> Robot:
     """An arm of hinges in standard DH."""
     links, lengths = [], {}

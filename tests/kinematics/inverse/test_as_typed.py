@@ -7,12 +7,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from dhcli import forward, inverse, load_robot
+from dhcli import forward, inverse
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.inverse.as_typed import as_typed, at_limits, poses_as_typed, slack_of
 from dhcli.kinematics.inverse.solutions import Solutions
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
+from tests.kinematics.arms import robot_once
+from tests.nightly import in_turn, some
 
 ARMS = ("articulated", "planar-2r", "scara", "spherical-wrist", "zhou-3r", "cylindrical", "palletizer")
 
@@ -26,10 +28,10 @@ def typed(robot: Robot, pose: np.ndarray, decimals: int) -> Solutions:
 @pytest.mark.parametrize("name", ARMS)
 def test_a_pose_of_few_decimals_has_the_solutions_of_the_pose_that_was_meant(name: str) -> None:
     """As many, each beside its own; and the last digit of the pose comes back from each."""
-    robot = load_robot(name)
+    robot = robot_once(name)
     pose = np.array(forward(robot, (0.35, 0.97, 0.61, 0.82)[: len(robot.variables)]).matrix)
     meant = inverse(robot, pose)
-    for decimals in (4, 3):
+    for decimals in in_turn((4, 3), ARMS.index(name), 2):
         found = typed(robot, pose, decimals)
         assert len(found) == len(meant)
         assert max(found.distances(row).min() for row in meant) < 100 * 10.0**-decimals
@@ -39,7 +41,7 @@ def test_a_pose_of_few_decimals_has_the_solutions_of_the_pose_that_was_meant(nam
 
 def test_that_the_nearest_pose_was_taken_is_said() -> None:
     """And how far it is."""
-    robot = load_robot("zhou-3r")
+    robot = robot_once("zhou-3r")
     found = typed(robot, np.array(forward(robot, [0.3, 0.9, 0.2]).matrix), 4)
     assert found.remarks[0].startswith(
         "the arm takes no pose with exactly these digits; the nearest is taken, an entry of"
@@ -48,7 +50,7 @@ def test_that_the_nearest_pose_was_taken_is_said() -> None:
 
 def test_a_pose_that_its_digits_do_not_reach_has_no_solution_as_before() -> None:
     """Two units of the last digit are no rounding any more; nor is anything of a pose that is exact."""
-    robot = load_robot("planar-2r")
+    robot = robot_once("planar-2r")
     pose = np.array(forward(robot, [0.3, 0.9]).matrix)
     pose[2, 3] = 0.0005
     assert len(typed(robot, pose, 4)) == 0
@@ -56,10 +58,10 @@ def test_a_pose_that_its_digits_do_not_reach_has_no_solution_as_before() -> None
     assert len(typed(robot, pose, 3)) == 1
 
 
-@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("name", in_turn(ARMS, 0, 3))
 def test_rows_of_few_decimals_have_the_pose_that_a_single_one_has(name: str) -> None:
     """Those that the arm takes as they are, or that are exact, are left as they are."""
-    robot = load_robot(name)
+    robot = robot_once(name)
     exact = np.array(forward(robot, (0.35, 0.97, 0.61, 0.82)[: len(robot.variables)]).matrix)
     poses = np.array([exact, np.round(exact, 4), np.round(exact, 4) + np.eye(4, k=3) * 0.7])
     alone = [inverse(robot, pose) for pose in poses]
@@ -73,7 +75,7 @@ def test_rows_of_few_decimals_have_the_pose_that_a_single_one_has(name: str) -> 
 
 def test_the_digits_of_a_row_say_how_much_they_leave_open() -> None:
     """Half a unit of the last; nothing where they are all there are, or plain, as 0.125 of a pose that is exact."""
-    turned = np.array(forward(load_robot("planar-2r"), [0.3, 0.9]).matrix)
+    turned = np.array(forward(robot_once("planar-2r"), [0.3, 0.9]).matrix)
     plain = np.eye(4)
     plain[0, 3] = 0.125
     decimals = [slack_of(np.round(turned, n), "pose") for n in (3, 4, 6)]
@@ -85,19 +87,19 @@ def test_the_digits_of_a_row_say_how_much_they_leave_open() -> None:
 
 def test_an_arm_with_joints_enough_is_not_asked_again() -> None:
     """A pose out of its reach is so by more than digits."""
-    far = np.round(np.array(forward(load_robot("puma560"), "ready").matrix), 4) + np.eye(4, k=3) * 3.1234
-    assert poses_as_typed(load_robot("puma560"), far[None], [0], "pose", {}) == {}
+    far = np.round(np.array(forward(robot_once("puma560"), "ready").matrix), 4) + np.eye(4, k=3) * 3.1234
+    assert poses_as_typed(robot_once("puma560"), far[None], [0], "pose", {}) == {}
 
 
 @pytest.mark.parametrize("name", ["puma560", "panda", "articulated-within"])
 def test_a_joint_at_its_limit_is_there_to_the_digits_typed(name: str) -> None:
     """The digits leave it beyond by some thousandths of a degree; what is beyond by three degrees stays so."""
-    robot = load_robot(name.removesuffix("-within"))
+    robot = robot_once(name.removesuffix("-within"))
     if name.endswith("-within"):
         robot = replace(robot, limits={robot.variables[1]: (Angle.in_degrees(-20), Angle.in_degrees(40))})
     pairs = [(name, *map(in_floats, robot.limits[name])) for name in robot.limits]
     seen = 0
-    for joint, low, high in pairs:
+    for joint, low, high in some(pairs, 2):
         q = dict(zip(robot.variables, (0.31, 0.42, -0.53, -0.64, 0.75, 0.86, 0.97), strict=False))
         for at in (low, high, high + np.radians(3)):
             q[joint] = at

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,7 @@ from tests.kinematics.inverse.plans import asked
 from tests.nightly import some
 
 POSE = TASKS["pose"]
+POINTING_DOWN = np.array([[1, 0, 0, 0.4], [0, -1, 0, 0.2], [0, 0, -1, 0.1], [0, 0, 0, 1]])
 
 
 @pytest.fixture(autouse=True)
@@ -33,16 +35,15 @@ def test_a_robot_of_the_library_needs_no_plan(monkeypatch: pytest.MonkeyPatch) -
 
     Which of equations that serve alike it takes may differ from machine to machine, by rounding.
     """
-    cases = list(asked())
+    with monkeypatch.context() as shipped:
+        shipped.setattr(choosing, "find_plan", None)
+        cases = list(asked())
     assert len(cases) >= 90
     for arm, task in some(cases, 9):
         now, then = choosing.chosen(arm, task, ()), recalled(arm, task, ())
         assert then is not None
         assert [type(step) for step in now.plan.steps] == [type(step) for step in then.plan.steps]
         assert now.spare == then.spare
-    prepare.cache_clear()
-    monkeypatch.setattr(choosing, "find_plan", None)
-    assert len(list(asked())) == len(cases)
 
 
 @pytest.mark.parametrize(
@@ -73,6 +74,7 @@ def kept_file() -> Path:
     return path
 
 
+@cache
 def own_arm() -> Kept:
     """The plan of an arm that no file describes."""
     return choosing.chosen(random_arm(CLASSES["spherical wrist"], np.random.default_rng(1)), POSE, ())
@@ -95,7 +97,7 @@ def test_a_plan_is_kept_on_disk() -> None:
 def test_another_length_is_another_plan() -> None:
     """A robot is asked with lengths of its own: the plan is found, kept, and not taken for the robot's own."""
     robot = load_robot("puma560")
-    pose = np.array([[1, 0, 0, 0.4], [0, -1, 0, 0.2], [0, 0, -1, 0.1], [0, 0, 0, 1]])
+    pose = POINTING_DOWN
     inverse(robot, pose)
     assert not place(keeping.FOLDER).exists()
     first = inverse(robot, pose, parameters={"a3": 0.05})
@@ -106,16 +108,22 @@ def test_another_length_is_another_plan() -> None:
     assert file.stat().st_mtime_ns == stamp
 
 
+@cache
+def solved_and_kept() -> tuple[np.ndarray, str, str]:
+    """The solutions of an arm with a length of its own, and the name and the text of the file of its plan."""
+    found = inverse(load_robot("puma560"), POINTING_DOWN, parameters={"a3": 0.05})
+    return found.q, kept_file().name, kept_file().read_text("utf-8")
+
+
 @pytest.mark.parametrize(
     "broken", ["", "{", "null", "[]", "[1, 2]", "\0", "half", "digit", "folder", "other plan", "bytes", "[[[["]
 )
 def test_a_broken_plan_is_made_again(broken: str) -> None:
     """Nothing is said of it, and the solutions are all there."""
-    robot = load_robot("puma560")
-    pose = np.array([[1, 0, 0, 0.4], [0, -1, 0, 0.2], [0, 0, -1, 0.1], [0, 0, 0, 1]])
-    right = inverse(robot, pose, parameters={"a3": 0.05})
-    file = kept_file()
-    good = file.read_text("utf-8")
+    right, name, good = solved_and_kept()
+    file = place(keeping.FOLDER) / name
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(good, "utf-8")
     match broken:
         case "half":
             file.write_text(good[: len(good) // 2], "utf-8")
@@ -135,7 +143,7 @@ def test_a_broken_plan_is_made_again(broken: str) -> None:
         case _:
             file.write_text(broken, "utf-8")
     prepare.cache_clear()
-    assert np.array_equal(inverse(robot, pose, parameters={"a3": 0.05}).q, right.q)
+    assert np.array_equal(inverse(load_robot("puma560"), POINTING_DOWN, parameters={"a3": 0.05}).q, right)
     if broken != "folder":
         assert file.read_text("utf-8") == good
 

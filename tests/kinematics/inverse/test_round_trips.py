@@ -58,7 +58,7 @@ def lost_and_odd(kind: Class, seed: int, poses: int, by: float = 0.0) -> tuple[i
 @pytest.mark.parametrize("name", some(tuple(CLASSES), 2))
 def test_the_original_joint_values_are_among_the_solutions(name: str) -> None:
     """Every solution reaches the pose to 1e-12, none is given twice, and of six joints they are even in number."""
-    assert lost_and_odd(CLASSES[name], seed=1, poses=5) == (0, 0)
+    assert lost_and_odd(CLASSES[name], seed=1, poses=3) == (0, 0)
 
 
 @pytest.mark.nightly
@@ -71,7 +71,7 @@ def test_the_original_joint_values_are_among_the_solutions_of_many_arms(name: st
 SLIDES = CLASSES["slides third and last"]
 
 
-@pytest.mark.parametrize(("seed", "pose", "count"), [(3, 16, 8), (77, 6, 4), (85, 2, 6)])
+@pytest.mark.parametrize(("seed", "pose", "count"), some([(3, 16, 8), (77, 6, 4), (85, 2, 6)], 2))
 def test_a_solution_is_none_the_less_one_for_standing_thousands_of_reaches_out(
     seed: int, pose: int, count: int
 ) -> None:
@@ -87,7 +87,7 @@ def test_a_solution_is_none_the_less_one_for_standing_thousands_of_reaches_out(
     assert (left <= np.maximum(1e-12, 1e-14 * out)).all()
 
 
-@pytest.mark.parametrize("out", [1e2, 1e4, 2e5])
+@pytest.mark.parametrize("out", some([1e2, 1e4, 2e5], 2))
 def test_joint_values_are_found_again_however_far_out_the_slides_stand(out: float) -> None:
     """The last slide runs back along the one before at an angle that brings the end home, and no family is claimed."""
     rng = np.random.default_rng(3)
@@ -114,7 +114,7 @@ MEASURED = ("spherical wrist, two parallel", "three parallel, two meet", "spheri
 @pytest.mark.parametrize(("name", "by"), paired(MEASURED, [1e-8, 1e-6, 1e-4, 1e-3]))
 def test_an_arm_as_it_was_built_loses_next_to_nothing(name: str, by: float) -> None:
     """Axes that are only nearly parallel, or nearly meet: none is lost but beside singular poses."""
-    arms, poses = (40, 20) if NIGHT else (1, 10)
+    arms, poses = (40, 20) if NIGHT else (1, 5)
     lost, _ = np.sum([lost_and_odd(CLASSES[name], seed, poses, by) for seed in range(arms)], axis=0)
     assert lost <= arms * poses // 200
 
@@ -160,7 +160,7 @@ def test_an_arm_as_it_was_built_finds_its_joint_values_again_beside_singular_pos
 def test_joint_values_at_right_angles_are_found_again_though_solutions_share_an_angle() -> None:
     """Roots that have the third joint in common come as one eigenvalue, whose eigenvectors are mixtures of them."""
     rng = np.random.default_rng(0)
-    draws = rng.choice([0, np.pi / 2, -np.pi / 2, np.pi / 4, np.pi, 0.3], (300 if NIGHT else 10, 6))
+    draws = rng.choice([0, np.pi / 2, -np.pi / 2, np.pi / 4, np.pi, 0.3], (300 if NIGHT else 4, 6))
     for q in [(0, 0, 0, 0, -np.pi / 2, 0), (0.3, np.pi, np.pi, 0, np.pi / 2, 0.3), *draws]:
         found = inverse(COBOT, forward(COBOT, list(q)))
         assert len(found)
@@ -200,7 +200,7 @@ def test_nearly_no_arm_at_right_angles_loses_a_solution() -> None:
     """Arms with twists of 0 and 90 degrees at multiples of 45: regular joint values are among the solutions."""
     rng = np.random.default_rng(7)
     regular = lost = 0
-    for _ in range(40 if NIGHT else 4):
+    for _ in range(40 if NIGHT else 2):
         rows = zip(
             rng.choice([0, 0.1, 0.2, 0.3], 6), rng.choice([0, 90, -90], 6), rng.choice([0, 0.15, 0.3], 6), strict=True
         )

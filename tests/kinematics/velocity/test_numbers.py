@@ -32,8 +32,8 @@ from dhcli.kinematics.velocity.jacobian import six_rows
 from dhcli.kinematics.velocity.view import MotionView, Viewing, joints_between, parts
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
-from tests.kinematics.arms import PAN_TILT, hinges, joint_point, moving_robots, with_values
-from tests.nightly import examples, in_turn, paired
+from tests.kinematics.arms import PAN_TILT, hinges, joint_point, moving_robots, robot_once, with_values
+from tests.nightly import examples, in_turn, paired, some
 from tests.row_by_row import row_by_row
 
 if TYPE_CHECKING:
@@ -68,8 +68,8 @@ def differences(robot: Robot, q: list[float], parameters: dict[str, str | float]
 @pytest.mark.parametrize("name", ROBOTS)
 def test_a_jacobian_is_the_slope_of_the_pose(name: str) -> None:
     """To a relative 1e-8, for every robot of the library."""
-    robot, parameters = load_robot(name), with_values(load_robot(name))
-    for seed in (1, 2):
+    robot, parameters = robot_once(name), with_values(robot_once(name))
+    for seed in in_turn((1, 2), ROBOTS.index(name), 2):
         q = joint_point(robot, seed)
         found = jacobian(robot, q, parameters=parameters)
         assert np.abs(found - differences(robot, q, parameters)).max() <= 1e-8 * max(1.0, np.abs(found).max())
@@ -78,12 +78,12 @@ def test_a_jacobian_is_the_slope_of_the_pose(name: str) -> None:
 @pytest.mark.parametrize("name", in_turn(ROBOTS, 0, 2))
 def test_symbols_with_numbers_put_in_are_floats_and_columns(name: str) -> None:
     """In every view: three arithmetics, one fold."""
-    robot, parameters = load_robot(name), with_values(load_robot(name))
+    robot, parameters = robot_once(name), with_values(robot_once(name))
     q = joint_point(robot, 3)
     at = Floats({**numbers(parameter_values(robot, parameters)), **dict(zip(robot.variables, q, strict=True))})
     inside: Viewing = {"start": "base", "end": "tool", "axes": robot.frames[2]}
     further: Viewing = {"start": robot.frames[1], "axes": "base", "place": robot.frames[2], "point": (0.1, 0.2, 0)}
-    for viewing in (*in_turn(VIEWS, ROBOTS.index(name) // 2, 3), inside, further):
+    for viewing in (*in_turn(VIEWS, ROBOTS.index(name) // 2, 6), inside, further):
         one = jacobian(robot, q, parameters=parameters, **viewing)
         many = jacobian(robot, np.array([q, q]), parameters=parameters, **viewing)
         terms = [[at.value(entry) for entry in row] for row in symbolic_jacobian(robot, **viewing).rows]
@@ -98,7 +98,7 @@ def test_what_is_asked_again_is_the_same(name: str) -> None:
     if any(value is None for value in robot.parameters.values()):
         return
     q = joint_point(robot, 3)
-    for viewing in in_turn(VIEWS, ROBOTS.index(name) // 2, 3):
+    for viewing in in_turn(VIEWS, ROBOTS.index(name) // 2, 6):
         for more in ({}, {"part": "angular"}, {"part": "linear", "angular_first": True}):
             first = jacobian(robot, q, **more, **viewing)
             for asked in (q, tuple(q), np.array(q)):
@@ -109,7 +109,7 @@ def test_what_is_asked_again_is_the_same(name: str) -> None:
 
 def test_what_cannot_be_is_said_again() -> None:
     """As often as it is asked."""
-    robot = load_robot("articulated")
+    robot = robot_once("articulated")
     for _ in range(3):
         with pytest.raises(RobotError, match="3 joints"):
             jacobian(robot, [0.1, 0.2])
@@ -128,12 +128,12 @@ def test_what_cannot_be_is_said_again() -> None:
 @pytest.mark.parametrize("viewing", VIEWS[:5])
 def test_values_put_in_exactly_are_those_values(name: str, viewing: Viewing) -> None:
     """Every other joint and one length; the others are put in afterwards."""
-    robot = load_robot(name)
+    robot = robot_once(name)
     q = dict(zip(robot.variables, joint_point(robot, 2), strict=True))
-    some = {joint: q[joint] for joint in robot.variables[::2]}
+    half = {joint: q[joint] for joint in robot.variables[::2]}
     length = next(name for name in robot.parameters if name not in robot.angles)
     at = Floats({**numbers(parameter_values(robot, {})), **q})
-    put = symbolic_jacobian(robot, some, parameters={length: 0.31}, **viewing)
+    put = symbolic_jacobian(robot, half, parameters={length: 0.31}, **viewing)
     expected = jacobian(robot, list(q.values()), parameters={length: 0.31}, **viewing)
     assert np.allclose([[at.value(entry) for entry in row] for row in put.rows], expected, atol=1e-12)
 
@@ -141,7 +141,7 @@ def test_values_put_in_exactly_are_those_values(name: str, viewing: Viewing) -> 
 @pytest.mark.parametrize(("name", "viewing"), paired(ROBOTS, VIEWS[:5]))
 def test_symbols_are_residues(name: str, viewing: Viewing) -> None:
     """At a random point of the field, exactly, from the plain chain."""
-    robot = load_robot(name)
+    robot = robot_once(name)
     view = MotionView.of(robot, **viewing)
     joints = joints_between(robot, view.start, view.end)
     at = Residues(angles=[move.angle for move in robot.chain if isinstance(move, Rot)])
@@ -153,10 +153,10 @@ def test_symbols_are_residues(name: str, viewing: Viewing) -> None:
 @pytest.mark.parametrize("name", in_turn(ROBOTS, 0, 2))
 def test_a_jacobian_in_another_frame_is_turned(name: str) -> None:
     """Rᵀ v and Rᵀ ω for every frame of the robot."""
-    robot, parameters = load_robot(name), with_values(load_robot(name))
+    robot, parameters = robot_once(name), with_values(robot_once(name))
     q = joint_point(robot, 4)
     base = jacobian(robot, q, parameters=parameters)
-    for frame in robot.frames:
+    for frame in some(robot.frames, 3):
         turn = forward(robot, q, end=frame, parameters=parameters).matrix[:3, :3].T
         turned = np.vstack([turn @ base[:3], turn @ base[3:]])
         assert np.allclose(jacobian(robot, q, axes=frame, parameters=parameters), turned, atol=1e-13)
@@ -165,8 +165,8 @@ def test_a_jacobian_in_another_frame_is_turned(name: str) -> None:
 @pytest.mark.parametrize("name", in_turn(ROBOTS, 1, 2))
 def test_space_and_body_jacobian_are_related_by_the_adjoint(name: str) -> None:
     """J_s = Ad_T J_b, ω above v, as Lynch and Park write it (eq. 5.22)."""
-    robot, parameters = load_robot(name), with_values(load_robot(name))
-    q, end = joint_point(robot, 5), load_robot(name).frames[-2]
+    robot, parameters = robot_once(name), with_values(robot_once(name))
+    q, end = joint_point(robot, 5), robot_once(name).frames[-2]
     space = jacobian(robot, q, place=robot.frames[1], angular_first=True, parameters=parameters)
     body = jacobian(robot, q, axes=end, angular_first=True, parameters=parameters)
     pose = forward(robot, q, parameters=parameters).matrix
@@ -179,7 +179,7 @@ def test_space_and_body_jacobian_are_related_by_the_adjoint(name: str) -> None:
 @pytest.mark.parametrize("angles", TRIPLES)
 def test_rates_of_angles_give_the_angular_velocity(angles: str) -> None:
     """B times them is ω, for every order of axes, in one and in many; B by differences of the rotation."""
-    robot = load_robot("puma560")
+    robot = robot_once("puma560")
     q = joint_point(robot, 2)
     rates, omega = (jacobian(robot, q, part="angular", analytic=name) for name in (angles, ""))
     assert np.allclose(jacobian(robot, [q, q], part="angular", analytic=angles)[1], rates, atol=1e-12)
@@ -228,7 +228,10 @@ def _angles(rotation: NDArray[np.float64], axes: tuple[int, ...]) -> list[float]
                     for e in np.eye(3) * 1e-6
                 ]
             ).T
-            guess = guess - np.linalg.lstsq(slope, off.ravel(), rcond=None)[0]
+            step = np.linalg.lstsq(slope, off.ravel(), rcond=None)[0]
+            guess = guess - step
+            if np.abs(step).max() < 1e-13:
+                break
         inside = 0 < guess[1] < np.pi if proper else abs(guess[1]) < np.pi / 2
         if inside and np.abs(_rotation(list(guess), axes) - rotation).max() < 1e-10:
             return list(guess)
@@ -237,7 +240,7 @@ def _angles(rotation: NDArray[np.float64], axes: tuple[int, ...]) -> list[float]
 
 def test_rates_of_rpy_are_the_slopes_of_rpy() -> None:
     """As `forward(...).rpy` says them, roll first."""
-    robot = load_robot("ur5e")
+    robot = robot_once("ur5e")
     q = joint_point(robot, 1)
     found = jacobian(robot, q, part="angular", analytic="rpy")
     for k in range(6):
@@ -248,7 +251,7 @@ def test_rates_of_rpy_are_the_slopes_of_rpy() -> None:
 
 def test_there_are_no_rates_of_rpy_at_pitch_90() -> None:
     """Said for one, NaN among many; the other rows stay."""
-    robot = load_robot("articulated")
+    robot = robot_once("articulated")
     with pytest.raises(RobotError, match="pitch is ±90°"):
         jacobian(robot, [0, "90°", 0], analytic="rpy")
     two = jacobian(robot, [[0, np.pi / 2, 0], [0, 0.3, 0]], analytic="rpy")
@@ -259,20 +262,20 @@ def test_there_are_no_rates_of_rpy_at_pitch_90() -> None:
 def test_rates_of_angles_have_no_other_axes() -> None:
     """They are those of one frame seen from the other."""
     with pytest.raises(RobotError, match="in no other axes"):
-        jacobian(load_robot("puma560"), "ready", axes=3, analytic="rpy")
+        jacobian(robot_once("puma560"), "ready", axes=3, analytic="rpy")
 
 
 @examples(0.5)
 @given(st.lists(st.floats(-9, 9), min_size=6, max_size=6), st.sampled_from(["puma560", "stanford", "ur5e"]))
 def test_many_are_one_row_by_row(q: list[float], name: str) -> None:
     """Wherever the joints stand."""
-    robot = load_robot(name)
+    robot = robot_once(name)
     assert np.allclose(jacobian(robot, [q])[0], jacobian(robot, q), atol=1e-12)
 
 
 def test_a_batch_of_more_than_one_block_is_whole() -> None:
     """Blocks of different length, in order."""
-    robot = load_robot("planar-2r")
+    robot = robot_once("planar-2r")
     q = np.random.default_rng(1).uniform(-3, 3, (BLOCK + 5, 2))
     found = jacobian(robot, q)
     assert found.shape == (BLOCK + 5, 6, 2)
@@ -282,19 +285,19 @@ def test_a_batch_of_more_than_one_block_is_whole() -> None:
 
 def test_a_row_that_is_no_number_gives_none() -> None:
     """The others are as ever."""
-    found = jacobian(load_robot("planar-2r"), [[0.1, np.nan], [0.1, 0.2]])
+    found = jacobian(robot_once("planar-2r"), [[0.1, np.nan], [0.1, 0.2]])
     assert np.isnan(found[0]).all()
     assert np.isfinite(found[1]).all()
 
 
 def test_no_rows_give_no_jacobians() -> None:
     """Of the right shape."""
-    assert jacobian(load_robot("puma560"), np.empty((0, 6)), part="linear").shape == (0, 3, 6)
+    assert jacobian(robot_once("puma560"), np.empty((0, 6)), part="linear").shape == (0, 3, 6)
 
 
 def test_many_rows_may_lie_in_memory_as_they_like() -> None:
     """Columns first, every second row, read-only, shared by threads, a single row; the same Jacobians."""
-    robot = load_robot("scara")
+    robot = robot_once("scara")
     q = np.random.default_rng(1).uniform(-3, 3, (20, 3))
     plain = jacobian(robot, q)
     fixed = q.copy()
@@ -318,7 +321,7 @@ def test_many_rows_may_lie_in_memory_as_they_like() -> None:
 def test_many_that_cannot_be_are_refused_in_words(rows: object, options: dict[str, object], said: str) -> None:
     """As by `forward_batch`."""
     with pytest.raises(RobotError, match=said):
-        jacobian(load_robot("scara"), rows, **options)  # type: ignore[arg-type]
+        jacobian(robot_once("scara"), rows, **options)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(
@@ -338,12 +341,12 @@ def test_many_that_cannot_be_are_refused_in_words(rows: object, options: dict[st
 def test_what_is_no_part_no_damping_and_no_robot_is_refused(ask: Callable[..., object], said: str) -> None:
     """In words."""
     with pytest.raises(RobotError, match=said):
-        ask(load_robot("scara"), [0.1, 0.2, 0.3])
+        ask(robot_once("scara"), [0.1, 0.2, 0.3])
 
 
 def test_a_part_has_its_rows() -> None:
     """And the order can be turned over."""
-    robot = load_robot("puma560")
+    robot = robot_once("puma560")
     whole = jacobian(robot, "nominal")
     assert np.array_equal(jacobian(robot, "nominal", part="linear"), whole[:3])
     assert np.array_equal(jacobian(robot, "nominal", part="angular"), whole[3:])
@@ -352,7 +355,7 @@ def test_a_part_has_its_rows() -> None:
 
 def test_a_jacobian_in_symbols_says_so_when_numbers_are_wanted() -> None:
     """And is a matrix once there are none left."""
-    robot = load_robot("planar-2r")
+    robot = robot_once("planar-2r")
     letters = symbolic_jacobian(robot)
     with pytest.raises(RobotError, match="in symbols: a1, a2, theta1, theta2"):
         _ = letters.matrix
@@ -367,17 +370,17 @@ def test_a_jacobian_in_symbols_says_so_when_numbers_are_wanted() -> None:
 @row_by_row(
     ("call", "error", "match"),
     [
-        (lambda: jacobian(load_robot("scara"), [0.1, 0.2]), RobotError, "3 joints"),
-        (lambda: jacobian(load_robot("scara"), [[0.1, 0.2]]), RobotError, r"not \(N, 3\)"),
-        (lambda: jacobian(load_robot("scara")), RobotError, "no value for theta1"),
+        (lambda: jacobian(robot_once("scara"), [0.1, 0.2]), RobotError, "3 joints"),
+        (lambda: jacobian(robot_once("scara"), [[0.1, 0.2]]), RobotError, r"not \(N, 3\)"),
+        (lambda: jacobian(robot_once("scara")), RobotError, "no value for theta1"),
         (lambda: jacobian(PAN_TILT, [0.1, 0.2]), RobotError, "a1, a2 of pan-tilt have no value"),
-        (lambda: jacobian(load_robot("assembly-blocks")), RobotError, "has no joint"),
-        (lambda: jacobian(load_robot("scara"), "pick", start=2, end=2), RobotError, "no joint of scara moves frame 2"),
-        (lambda: jacobian(load_robot("scara"), "pick", axes=9), UnknownNameError, "no frame 9"),
-        (lambda: jacobian(load_robot("scara"), "pick", point=("x", 0, 0)), RobotError, "x of the point has no value"),
-        (lambda: jacobian(load_robot("scara"), "pick", point=(0, 0)), RobotError, "three coordinates"),
-        (lambda: jacobian(load_robot("scara"), "pick", part="upper"), RobotError, "no part upper"),  # type: ignore[arg-type]
-        (lambda: jacobian(load_robot("scara"), "pick", analytic="zzy"), UnknownNameError, "no angles called zzy"),
+        (lambda: jacobian(robot_once("assembly-blocks")), RobotError, "has no joint"),
+        (lambda: jacobian(robot_once("scara"), "pick", start=2, end=2), RobotError, "no joint of scara moves frame 2"),
+        (lambda: jacobian(robot_once("scara"), "pick", axes=9), UnknownNameError, "no frame 9"),
+        (lambda: jacobian(robot_once("scara"), "pick", point=("x", 0, 0)), RobotError, "x of the point has no value"),
+        (lambda: jacobian(robot_once("scara"), "pick", point=(0, 0)), RobotError, "three coordinates"),
+        (lambda: jacobian(robot_once("scara"), "pick", part="upper"), RobotError, "no part upper"),  # type: ignore[arg-type]
+        (lambda: jacobian(robot_once("scara"), "pick", analytic="zzy"), UnknownNameError, "no angles called zzy"),
         (lambda: jacobian("scara", "pick"), RobotError, "load_robot"),  # type: ignore[arg-type]
         (lambda: symbolic_jacobian(hinges("long", *[("a", 60, "d")] * 12)), RobotError, "symbols long"),
         (lambda: symbolic_jacobian(hinges("longer", *[("a", 60, "d")] * 50)), RobotError, "more than the 20000"),

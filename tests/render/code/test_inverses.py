@@ -15,7 +15,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.forward import forward, with_own_values
 from dhcli.kinematics.inverse.asked import inverse
 from dhcli.kinematics.inverse.derivation import Derivation
@@ -29,7 +28,8 @@ from dhcli.render.code.inverses import inverse_code
 from dhcli.render.code.languages import LANGUAGES
 from dhcli.render.code.stages import lengths_used, shared
 from dhcli.render.look import Look
-from tests.nightly import NIGHT
+from tests.kinematics.arms import robot_once
+from tests.nightly import NIGHT, in_turn
 from tests.render.code.running import HERE, Call, results
 
 DATA = Path(__file__).parents[2] / "data"
@@ -43,7 +43,7 @@ Q = (0.4, 0.7, 0.5, -0.6, 0.8, 1.1)
 @cache
 def derived(name: str, *, in_its_numbers: bool = False) -> Derivation:
     """The derivation of a robot, worked out once; with its letters, or with its lengths in their place."""
-    return derive(with_own_values(load_robot(name)) if in_its_numbers else load_robot(name))
+    return derive(with_own_values(robot_once(name)) if in_its_numbers else robot_once(name))
 
 
 @cache
@@ -52,12 +52,18 @@ def code(derivation: Derivation, language: str) -> str:
     return inverse_code(derivation, Look(language))
 
 
-def call(derivation: Derivation, language: str, pose: np.ndarray, lengths: Sequence[float] = ()) -> Call:
-    """The function with a pose, and the lengths that C has no values for by default."""
+@cache
+def room(derivation: Derivation) -> tuple[tuple[int, int], list[float]]:
+    """How many solutions of how many joints there may be, and the lengths of the robot, for all languages and poses."""
     robot = derivation.robot
     joints = sum(name_of(step.atom) in robot.variables for step in derivation.steps)
-    shape = (shared(derivation).most, joints)
     own = [float(robot.parameters[n].value) for n in lengths_used(derivation)]  # type: ignore[union-attr]  # numbers
+    return (shared(derivation).most, joints), own
+
+
+def call(derivation: Derivation, language: str, pose: np.ndarray, lengths: Sequence[float] = ()) -> Call:
+    """The function with a pose, and the lengths that C has no values for by default."""
+    shape, own = room(derivation)
     given = [*(lengths or own), 1e-3] if derivation.left else lengths or own
     return Call(code(derivation, language), "inverse", given if language == "c" else lengths, shape, pose.tolist())
 
@@ -67,7 +73,7 @@ def reached() -> dict[str, Solutions]:
     """What the engine finds for the pose of each robot, for all languages."""
     return {
         name: inverse(robot, forward(robot, Q[: len(robot.variables)]), task=task_of(name))
-        for name, robot in ((name, load_robot(name)) for name in ROBOTS)
+        for name, robot in ((name, robot_once(name)) for name in ROBOTS)
     }
 
 
@@ -86,7 +92,7 @@ def given(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
 
 def every_robot(language: str) -> list[Call]:
     """A pose that it reaches, with its letters; some with its numbers in their place."""
-    poses = {name: forward(load_robot(name), Q[: len(load_robot(name).variables)]) for name in ROBOTS}
+    poses = {name: forward(robot_once(name), Q[: len(robot_once(name).variables)]) for name in ROBOTS}
     calls = [call(derived(name), language, pose.matrix) for name, pose in poses.items()]
     return [*calls, *(call(derived(name, in_its_numbers=True), language, poses[name].matrix) for name in IN_NUMBERS)]
 
@@ -122,12 +128,12 @@ def test_a_pose_out_of_reach_has_no_solution(given: dict[str, list[Any]]) -> Non
 
 
 def _beside(pose: np.ndarray, name: str) -> list[np.ndarray]:
-    """Poses beside one: lifted, and turned about either axis, each by more than the tolerance."""
+    """Poses beside one: lifted, and turned about either axis, by day about one, each by more than the tolerance."""
     lifted = pose.copy()
     lifted[2, 3] += 0.02
     turn = np.array([[1, 0, 0, 0], [0, 0.96, -0.28, 0], [0, 0.28, 0.96, 0], [0, 0, 0, 1]])
     turned = [pose @ turn[np.ix_(axes, axes)] for axes in ((0, 1, 2, 3), (1, 2, 0, 3))]
-    return [lifted, *turned] if not derived(name).place_only else [lifted]
+    return [lifted, *in_turn(turned, FEW.index(name), 2)] if not derived(name).place_only else [lifted]
 
 
 @cache
@@ -135,7 +141,7 @@ def few_can_take() -> list[tuple[str, np.ndarray, int]]:
     """Robots of few joints, poses as they are typed, and how many solutions the engine has, for all languages."""
     found = []
     for name in FEW:
-        robot = load_robot(name)
+        robot = robot_once(name)
         pose = np.array(forward(robot, Q[: len(robot.variables)]).matrix)
         for target in (pose, *_beside(pose, name)):
             typed = np.round(target, 4) if target is pose else target
@@ -152,14 +158,14 @@ def test_a_pose_that_few_joints_cannot_take_has_no_solution(given: dict[str, lis
     """None for what the engine has none for; those of a pose typed with four decimals are as many as of the pose."""
     found = [len(rows) for rows in given["few joints"]]
     assert found == [count for _, _, count in few_can_take()]
-    assert found.count(0) > len(FEW)
+    assert found.count(0) >= len(FEW)
 
 
 def test_the_tolerance_is_an_argument() -> None:
     """With a larger one the arm comes as near as it can; lengths keep their places before it."""
     space: dict[str, Any] = {}
     exec(code(derived("planar-2r"), "python"), space)  # noqa: S102  our own output, as a user runs it
-    pose = np.array(forward(load_robot("planar-2r"), Q[:2]).matrix)
+    pose = np.array(forward(robot_once("planar-2r"), Q[:2]).matrix)
     pose[2, 3] = 0.02
     assert space["inverse"](pose) == []
     assert len(space["inverse"](pose, 0.4, 0.3, 0.03)) == len(space["inverse"](pose, tolerance=0.03)) == 2
@@ -175,7 +181,7 @@ def roots(language: str) -> list[Call]:
     """A length from its square, which is positive and then negative."""
     rest = add(power(Symbol("px"), 2), negate(power(Symbol("l1"), 2)))
     step = Step("SQUARES", "d3", (), ZERO, power(rest, Fraction(1, 2)), "plus-minus", rest)
-    derivation = replace(derived("planar-2r"), robot=load_robot("scara"), steps=(step,))
+    derivation = replace(derived("planar-2r"), robot=robot_once("scara"), steps=(step,))
     far, near = np.eye(4), np.eye(4)
     far[0, 3] = 0.5
     return [call(derivation, language, pose, [0.3]) for pose in (far, near)]
@@ -205,14 +211,14 @@ def special_poses() -> list[tuple[str, np.ndarray, Solutions]]:
     """Five-joint arms at right angles and stretched, and the hand of one above its base; with what the engine has."""
     draw, found = random.Random(4), []  # noqa: S311  a fixed seed, for the same poses every time
     for name in FIVE:
-        rows = [[draw.choice(SPECIAL) for _ in range(5)] for _ in range(5)] + [[0.0] * 5]
+        rows = [[draw.choice(SPECIAL) for _ in range(5)] for _ in range(5 if NIGHT else 3)] + [[0.0] * 5]
         if name == FIVE[0]:
-            a1, a2, a3, d5 = (float(load_robot(name).parameters[x].value) for x in ("a1", "a2", "a3", "d5"))  # type: ignore[union-attr]  # numbers
+            a1, a2, a3, d5 = (float(robot_once(name).parameters[x].value) for x in ("a1", "a2", "a3", "d5"))  # type: ignore[union-attr]  # numbers
             reach = a1 + a2 * math.cos(2.271) + a3 * math.cos(2.271 - 2.386)
             rows.append([0.7, 2.271, -2.386, math.asin(-reach / d5) - 2.271 + 2.386, -0.6])
         for q in rows:
-            pose = np.round(np.array(forward(load_robot(name), q).matrix), 13) + 0.0
-            found.append((name, pose, inverse(load_robot(name), pose)))
+            pose = np.round(np.array(forward(robot_once(name), q).matrix), 13) + 0.0
+            found.append((name, pose, inverse(robot_once(name), pose)))
     return found
 
 
@@ -225,7 +231,7 @@ def test_no_solution_is_missing_at_special_poses_of_five_joints(given: dict[str,
     """Each that the engine has, and one of each family; what comes back reaches the pose."""
     for (name, pose, engine), rows in zip(special_poses(), given["special"], strict=True):
         for row in rows:
-            assert np.abs(np.array(forward(load_robot(name), list(row)).matrix) - pose).max() < 1e-6, name
+            assert np.abs(np.array(forward(robot_once(name), list(row)).matrix) - pose).max() < 1e-6, name
         turned = np.exp(1j * np.array(rows)).reshape(-1, 5)
         alone = [q for q, free in zip(engine.q, engine.free, strict=True) if not free]
         assert all(np.abs(turned - np.exp(1j * q)).max(axis=1).min() < 1e-5 for q in alone), (name, pose)
@@ -241,7 +247,7 @@ def free_sums() -> list[np.ndarray]:
         q = [draw.uniform(-3, 3) for _ in range(6)]
         q[4] = 0.0
         q[2] = draw.choice((0.2, -0.2))
-        poses.append(np.round(np.array(forward(load_robot("ur5e"), q).matrix), 13) + 0.0)
+        poses.append(np.round(np.array(forward(robot_once("ur5e"), q).matrix), 13) + 0.0)
     return poses
 
 
@@ -256,26 +262,26 @@ def test_a_free_sum_is_tried_where_a_later_joint_has_no_value_for_some(given: di
     for pose, rows in zip(free_sums(), found, strict=True):
         assert len(rows) <= 16
         for row in rows:
-            assert np.abs(np.array(forward(load_robot("ur5e"), list(row)).matrix) - pose).max() < 1e-6
+            assert np.abs(np.array(forward(robot_once("ur5e"), list(row)).matrix) - pose).max() < 1e-6
     assert sum(len(rows) > 0 for rows in found) == 11  # 10 without
 
 
 @cache
 def singular_poses() -> list[tuple[str, np.ndarray, bool]]:
     """Robots, poses, and whether the engine has a solution, found once for all languages."""
-    return [(name, pose, len(inverse(load_robot(name), pose, task=task_of(name))) > 0) for name, pose in _singular()]
+    return [(name, pose, len(inverse(robot_once(name), pose, task=task_of(name))) > 0) for name, pose in _singular()]
 
 
 def _singular() -> list[tuple[str, np.ndarray]]:
     """Stretched arms, wrists in line, and places on axis 1, which shoulders that are offset cannot reach."""
-    found = [(name, np.array(forward(load_robot(name), q).matrix)) for name, q in STRETCHED.items()]
-    found += [(name, np.array(forward(load_robot(name), (0,) * 6).matrix)) for name in ("stanford", "ur5e")]
+    found = [(name, np.array(forward(robot_once(name), q).matrix)) for name, q in STRETCHED.items()]
+    found += [(name, np.array(forward(robot_once(name), (0,) * 6).matrix)) for name in ("stanford", "ur5e")]
     for name, q in (("puma560", Q), ("stanford", Q), ("cylindrical", Q[:3]), ("planar-2r", Q[:2])):
-        pose = np.array(forward(load_robot(name), q).matrix)
+        pose = np.array(forward(robot_once(name), q).matrix)
         pose[:2, 3] = 0
         found.append((name, pose))
     # of ur5e what stands on axis 1 is not the end but the joint before the last
-    pose, last = np.array(forward(load_robot("ur5e"), Q).matrix), load_robot("ur5e").parameters["d6"]
+    pose, last = np.array(forward(robot_once("ur5e"), Q).matrix), robot_once("ur5e").parameters["d6"]
     pose[:2, 3] = float(last.value) * pose[:2, 2]  # type: ignore[union-attr]  # a number
     return [*found, ("ur5e", pose)]
 
@@ -288,7 +294,7 @@ def singular(language: str) -> list[Call]:
 def test_singular_poses_are_no_error_and_no_number_is_missing(given: dict[str, list[Any]]) -> None:
     """Every row is finite and reaches the pose; there are some wherever the engine has one, else none."""
     for (name, pose, is_reached), rows in zip(singular_poses(), given["singular"], strict=True):
-        robot, task = load_robot(name), task_of(name)
+        robot, task = robot_once(name), task_of(name)
         assert bool(len(rows)) == is_reached, name
         for row in rows:
             gap = np.array(forward(robot, list(row)).matrix) - pose
@@ -299,7 +305,7 @@ def quotients(language: str) -> list[Call]:
     """A length from another that stands below a line, in no loop yet; it is 0 in the second pose."""
     value = multiply(Symbol("l1"), power(add(Symbol("px"), negate(Symbol("py"))), -1))
     step = Step("SLIDE", "d3", (), value)
-    derivation = replace(derived("planar-2r"), robot=load_robot("scara"), steps=(step,))
+    derivation = replace(derived("planar-2r"), robot=robot_once("scara"), steps=(step,))
     near = np.eye(4)
     near[0, 3] = 0.5
     return [call(derivation, language, pose, [0.3]) for pose in (near, np.eye(4))]
