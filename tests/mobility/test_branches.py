@@ -159,7 +159,7 @@ def test_where_double_precision_cannot_tell_it_is_undecided(pairs: int) -> None:
     assert found.certificate.startswith("undecided")
 
 
-@examples(0.4)
+@examples(0.2)
 @given(st.lists(st.floats(0.4, 2.5), min_size=3, max_size=4))
 def test_a_high_order_is_never_called_a_motion(lengths: list[float]) -> None:
     """Whatever the lengths."""
