@@ -274,13 +274,14 @@ def test_a_long_loop_of_dh_rows_closes() -> None:
 
 
 def test_many_bars_between_two_links_are_answered() -> None:
-    """By the form of the equations that has six columns, not five thousand."""
-    ends = np.random.default_rng(6).normal(size=(1000, 2, 3))
+    """By the form of the equations that has six columns, not five thousand; by day of three hundred bars."""
+    count = 1000 if NIGHT else 300
+    ends = np.random.default_rng(6).normal(size=(count, 2, 3))
     joints = tuple(
         Joint(pair_of("bar"), ("g", "body"), str(i), tuple(a), other=tuple(b)) for i, (a, b) in enumerate(ends)
     )
     found = analyse(Linkage("bars", SPATIAL, joints, "g", "body"))
-    assert (found.mobility, found.redundant) == (0, 994)
+    assert (found.mobility, found.redundant) == (0, count - 6)
     assert found.kept is not None
     assert found.kept <= 1
 
