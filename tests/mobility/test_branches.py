@@ -15,7 +15,7 @@ from dhcli.mobility.linkage import Joint
 from dhcli.mobility.result import Mobility
 from tests.mobility.building import joint, planar, spatial
 from tests.mobility.mechanisms import linkage
-from tests.nightly import NIGHT, cases_for_nights, examples
+from tests.nightly import NIGHT, cases_for_nights, examples, paired
 
 FEET = [(1.0, 0.0), (-0.5, 0.8), (-0.4, -0.9), (0.3, 0.2), (0.5, 0.7), (-0.5, 0.1), (0.2, -0.5)]
 HEIGHT = 2.0
@@ -159,7 +159,7 @@ def test_where_double_precision_cannot_tell_it_is_undecided(pairs: int) -> None:
     assert found.certificate.startswith("undecided")
 
 
-@examples(0.4)
+@examples(0.2)
 @given(st.lists(st.floats(0.4, 2.5), min_size=3, max_size=4))
 def test_a_high_order_is_never_called_a_motion(lengths: list[float]) -> None:
     """Whatever the lengths."""
@@ -262,8 +262,10 @@ def test_the_two_motions_of_a_flat_parallelogram_are_both_told(base: float) -> N
     assert "the output has 1T0R on one, 0T1R on another" in " ".join(found.reasons)
 
 
-@pytest.mark.parametrize("decimals", [3, 4])
-@pytest.mark.parametrize("name", ["fourbar_shaky_brace", "collinear2", "jessen", "sarrus", "delta_rrpar", "serial6r"])
+@pytest.mark.parametrize(
+    ("name", "decimals"),
+    paired(["fourbar_shaky_brace", "collinear2", "jessen", "sarrus", "delta_rrpar", "serial6r"], [3, 4]),
+)
 def test_a_rounded_drawing_gets_no_certificate_that_is_not_one(name: str, decimals: int) -> None:
     """What is shaky is not taken for a motion because the gap hides in the tolerance; the motion is the exact one's."""
     exact = analyse(linkage(name))

@@ -17,7 +17,7 @@ from dhcli.mobility.result import Mobility
 from dhcli.mobility.truth import true_mobility
 from tests.mobility.dense import constraint_rank
 from tests.mobility.mechanisms import MECHANISMS, linkage
-from tests.nightly import paired
+from tests.nightly import paired, some
 
 every = pytest.mark.parametrize("name", MECHANISMS)
 
@@ -60,7 +60,7 @@ def test_the_form_with_constraints_agrees_with_the_loops(name: str) -> None:
     assert large_mobility(model).instantaneous == wanted
 
 
-@pytest.mark.parametrize(("name", "seed"), paired([*MECHANISMS], [1, 2]))
+@pytest.mark.parametrize(("name", "seed"), paired(some([*MECHANISMS], 2), [1, 2]))
 def test_a_copy_elsewhere_is_the_same_linkage(name: str, seed: int) -> None:
     """Turned in space, moved, and 37 or 0.02 times as large."""
     truth = MECHANISMS[name]["truth"]

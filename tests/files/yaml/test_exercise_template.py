@@ -44,7 +44,7 @@ def errors(folder: Path, text: str) -> list[str]:
     return [str(told.problem) for told in lint([str(path)]).told if not told.is_warning]
 
 
-@pytest.mark.parametrize("name", some(ROBOTS, 6))
+@pytest.mark.parametrize("name", some(ROBOTS, 12))
 def test_a_template_lints_once_its_blanks_are_filled_in(name: str, tmp_path: Path) -> None:
     """In letters, as it is written."""
     text = exercise_template("c/new", load_robot(name))
@@ -61,7 +61,7 @@ def test_a_template_lints_once_its_blanks_are_filled_in(name: str, tmp_path: Pat
 
 
 @pytest.mark.parametrize(
-    "name", some(["planar-2r", "cartesian", "scara-yim", "dh-link-modified", "panda", "puma200"], 2)
+    "name", some(["planar-2r", "cartesian", "scara-yim", "dh-link-modified", "panda", "puma200"], 3)
 )
 def test_a_template_lints_in_numbers_too(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """With the # taken away from its last lines; a few variants of each are drawn."""

@@ -26,7 +26,7 @@ from dhcli.kinematics.robot import Link, Robot
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number, Symbol
 from tests.kinematics.describe.test_tables import JOINTED, end_by_screws, nasty_arm
-from tests.nightly import NIGHT, cases_for_nights, in_turn
+from tests.nightly import NIGHT, cases_for_nights, in_turn, paired
 
 OTHERS = (*FORMS, "urdf")
 
@@ -80,8 +80,13 @@ def test_an_arm_with_axes_as_bad_as_they_come_is_the_same_in_every_description(s
         assert gap(found, given, expected) <= 1e-13 * reach * len(q), form
 
 
-@pytest.mark.parametrize("name", cases_for_nights(JOINTED, "cartesian", "puma560", "scara", "stanford", "zhou-3r"))
-@pytest.mark.parametrize("form", ["standard", "modified", "axes", "product"])
+@pytest.mark.parametrize(
+    ("name", "form"),
+    paired(
+        cases_for_nights(JOINTED, "cartesian", "puma560", "scara", "stanford", "zhou-3r"),
+        ("standard", "modified", "axes", "product"),
+    ),
+)
 def test_a_robot_drawn_anywhere_is_the_same_robot(name: str, form: Form) -> None:
     """In 20 poses at night; lengths that have no value get one."""
     robot = load_robot(name)

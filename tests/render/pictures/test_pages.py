@@ -95,7 +95,10 @@ def test_pages_compute_what_dhcli_computes(browser: WebDriver, tmp_path: Path) -
     asked = []
     for robot in robots:
         turning = [joint.kind == "revolute" for joint in robot.joints]
-        poses = [[rng.uniform(-3, 3) if turns else rng.uniform(-1, 1) for turns in turning] for _ in range(50)]
+        poses = [
+            [rng.uniform(-3, 3) if turns else rng.uniform(-1, 1) for turns in turning]
+            for _ in range(50 if NIGHT else 10)
+        ]
         asked.append([poses, robot.frames[1], robot.frames[-2]])
     _open_all(browser, map(draw, robots), tmp_path)
     computed = browser.execute_script(
