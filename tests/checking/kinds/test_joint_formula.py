@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import pytest
 
@@ -22,13 +23,19 @@ IN_NUMBERS = Robot.from_dh([(0.3, 0, 0, "theta1"), (0.2, 0, 0, "theta2")], varia
 SLIDING = Robot.from_dh([(0, "90°", 0.4, "theta1"), (0, 0, "d2", 0)], variables=["theta1", "d2"])
 
 
+@cache
+def judge_of(ask: str, robot: str | Robot, unit: str) -> Judge:
+    """The judge of a question, made once for all its answers."""
+    arm = load_robot(robot) if isinstance(robot, str) else robot
+    return Judge(replace(question_about(arm, ask, numeric=False, given={}), unit=unit))
+
+
 def judged(
     answer: str, ask: str = "angle theta2 of position", robot: str | Robot = "planar-2r", unit: str = "m"
 ) -> Mark:
     """An answer, explained where it is wrong."""
-    arm = load_robot(robot) if isinstance(robot, str) else robot
-    exercise = replace(question_about(arm, ask, numeric=False, given={}), unit=unit)
-    return Judge(exercise).check(exercise.parts[0], answer)
+    judge = judge_of(ask, robot, unit)
+    return judge.check(judge.exercise.parts[0], answer)
 
 
 @pytest.mark.parametrize(
