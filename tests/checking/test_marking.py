@@ -6,7 +6,6 @@ import math
 import re
 from dataclasses import replace
 from functools import cache
-from itertools import product
 from pathlib import Path
 
 import pytest
@@ -35,7 +34,7 @@ from dhcli.render.kinds import render
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from tests.judging import expected, mark, mark_sheet
-from tests.nightly import examples, some
+from tests.nightly import NIGHT, examples, paired
 from tests.row_by_row import row_by_row
 from tests.strategies import polynomials
 
@@ -521,7 +520,7 @@ def shown(exercise: Exercise, part: Part, judged: Mark) -> str:
 
 
 @given(indices, texts)
-@examples(4)
+@examples(4 if NIGHT else 2)
 def test_any_text_for_any_part_is_judged(index: int, text: str) -> None:
     """Never an exception, and nothing that would steer a terminal comes back."""
     exercise, part = parts()[index]
@@ -596,7 +595,7 @@ HOSTILE = {
 }
 
 
-@pytest.mark.parametrize(("name", "index_of_kind"), some([*product(HOSTILE, range(10))], 7))
+@pytest.mark.parametrize(("name", "index_of_kind"), paired([*HOSTILE], range(10)))
 def test_hostile_texts_end_at_a_cap(name: str, index_of_kind: int) -> None:
     """For one part of each kind, with a message, and without a control character on the way out."""
     exercise, part = one_of_each_kind()[index_of_kind]
