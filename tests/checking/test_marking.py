@@ -44,7 +44,7 @@ Y = 0.4 * math.sin(math.radians(30)) + 0.3 * SINE
 SIZE = 0.7
 """Lengths of the planar arm [m]: 0.4 and 0.3."""
 
-SEEN_ENOUGH = examples(0.5)
+SEEN_ENOUGH = examples(0.5 if NIGHT else 0.3)
 
 
 @cache
@@ -257,6 +257,7 @@ def test_one_decimal_is_too_few_in_every_kind_of_answer(
 
 
 @given(st.integers(-179, 180), st.integers(0, 5), st.sampled_from([-0.3, -0.2, 0.2, 0.3]))
+@examples(1 if NIGHT else 0.5)
 def test_an_entry_that_is_no_rounding_of_the_truth_is_wrong_however_few_digits_it_has(
     degrees: int, at: int, off: float
 ) -> None:
