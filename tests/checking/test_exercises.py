@@ -23,7 +23,7 @@ from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.matrix import matrix_lines
 from tests.judging import case_of, expected, mark, mark_sheet, solution
-from tests.nightly import in_turn, some
+from tests.nightly import in_turn
 from tests.row_by_row import row_by_row
 
 ROOT = Path(__file__).parents[2]
@@ -104,7 +104,7 @@ def test_its_own_solution_is_right_in_every_spelling(name: str) -> None:
                 answers["screen"] = screen(exercise, part.question)
         else:
             answers = {"expected": solved(exercise, part)}
-        for spelling, answer in some([*answers.items()], 3):
+        for spelling, answer in in_turn([*answers.items()], NAMES.index(name) // 3, min(len(answers), 5)):
             judged = mark(exercise, part, answer)
             assert judged.verdict is Verdict.RIGHT, (part.id, spelling, answer, judged.remarks)
             assert judged.earned == 1

@@ -6,7 +6,6 @@ import math
 import re
 from dataclasses import replace
 from functools import cache
-from itertools import product
 from pathlib import Path
 
 import pytest
@@ -35,7 +34,7 @@ from dhcli.render.kinds import render
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from tests.judging import expected, mark, mark_sheet
-from tests.nightly import examples, some
+from tests.nightly import NIGHT, examples, paired
 from tests.row_by_row import row_by_row
 from tests.strategies import polynomials
 
@@ -45,7 +44,7 @@ Y = 0.4 * math.sin(math.radians(30)) + 0.3 * SINE
 SIZE = 0.7
 """Lengths of the planar arm [m]: 0.4 and 0.3."""
 
-SEEN_ENOUGH = examples(0.5)
+SEEN_ENOUGH = examples(0.5 if NIGHT else 0.3)
 
 
 @cache
@@ -258,6 +257,7 @@ def test_one_decimal_is_too_few_in_every_kind_of_answer(
 
 
 @given(st.integers(-179, 180), st.integers(0, 5), st.sampled_from([-0.3, -0.2, 0.2, 0.3]))
+@examples(1 if NIGHT else 0.5)
 def test_an_entry_that_is_no_rounding_of_the_truth_is_wrong_however_few_digits_it_has(
     degrees: int, at: int, off: float
 ) -> None:
@@ -521,7 +521,7 @@ def shown(exercise: Exercise, part: Part, judged: Mark) -> str:
 
 
 @given(indices, texts)
-@examples(4)
+@examples(4 if NIGHT else 2)
 def test_any_text_for_any_part_is_judged(index: int, text: str) -> None:
     """Never an exception, and nothing that would steer a terminal comes back."""
     exercise, part = parts()[index]
@@ -596,7 +596,7 @@ HOSTILE = {
 }
 
 
-@pytest.mark.parametrize(("name", "index_of_kind"), some([*product(HOSTILE, range(10))], 7))
+@pytest.mark.parametrize(("name", "index_of_kind"), paired([*HOSTILE], range(10)))
 def test_hostile_texts_end_at_a_cap(name: str, index_of_kind: int) -> None:
     """For one part of each kind, with a message, and without a control character on the way out."""
     exercise, part = one_of_each_kind()[index_of_kind]

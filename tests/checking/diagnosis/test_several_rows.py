@@ -8,7 +8,7 @@ from functools import cache
 
 import pytest
 
-from dhcli import check, load_exercise, load_robot
+from dhcli import load_exercise, load_robot
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.kinds.made import question_about
 from dhcli.kinematics.conventions import Row, moves_of
@@ -16,7 +16,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import joint_values
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, negate
-from tests.judging import expected
+from tests.judging import checked, expected
 
 Rows = list[Row]
 
@@ -78,7 +78,7 @@ def test_a_slip_in_several_rows_has_one_name(
     """Whatever the rows between them."""
     exercise = asked(name, numeric=numeric)
     other = about(with_rows(load_robot(name), change), "0", "", numeric=numeric)
-    found = check(exercise, "pose", expected(other, other.parts[0])).diagnosis
+    found = checked(exercise, exercise.part("pose"), expected(other, other.parts[0])).diagnosis
     assert found is not None
     assert found.ids == (slip,)
 
@@ -88,7 +88,7 @@ def test_a_slip_in_several_rows_has_one_name(
 def test_the_pose_of_another_frame_is_named_by_its_frames(start: str, end: str, *, numeric: bool) -> None:
     """T_16 for T_06, and T_03."""
     exercise, other = asked("puma560", numeric=numeric), asked("puma560", start, end, numeric=numeric)
-    found = check(exercise, "pose", expected(other, other.parts[0])).diagnosis
+    found = checked(exercise, exercise.part("pose"), expected(other, other.parts[0])).diagnosis
     assert found is not None
     assert found.ids == (f"other-frames {start} {end}",)
     assert found.names == (f"this is the pose of frame {end} seen from frame {start}",)
@@ -97,7 +97,7 @@ def test_the_pose_of_another_frame_is_named_by_its_frames(start: str, end: str, 
 def test_another_link_is_named() -> None:
     """A_2 where A_1 was asked."""
     exercise, other = asked("puma560", "2", "3"), asked("puma560", "3", "4")
-    found = check(exercise, "pose", expected(other, other.parts[0])).diagnosis
+    found = checked(exercise, exercise.part("pose"), expected(other, other.parts[0])).diagnosis
     assert found is not None
     assert found.ids == ("other-frames 3 4",)
 
@@ -107,7 +107,7 @@ def test_the_angle_of_another_joint_is_named(taken: str) -> None:
     """theta2 for theta3."""
     exercise = asked("ur5e", numeric=True)
     other = replace(exercise, given={**exercise.given, "theta3": exercise.given[taken]})
-    found = check(exercise, "pose", expected(other, other.parts[0])).diagnosis
+    found = checked(exercise, exercise.part("pose"), expected(other, other.parts[0])).diagnosis
     assert found is not None
     assert found.ids == (f"theta-other 3 {taken}",)
 
@@ -118,7 +118,7 @@ def test_a_value_of_a_joint_that_is_left_out_is_no_sine_for_a_cosine() -> None:
     given = joint_values(robot, "25°,90°,49°,62°,71°,16°")
     exercise = question_about(robot, "pose 0..6", numeric=True, given=given)
     other = question_about(robot, "pose 0..6", numeric=True, given={**given, "theta2": Angle()})
-    found = check(exercise, "pose", expected(other, other.parts[0])).diagnosis
+    found = checked(exercise, exercise.part("pose"), expected(other, other.parts[0])).diagnosis
     assert found is not None
     assert found.ids == ("theta-zero 2",)
 
@@ -130,5 +130,5 @@ def test_zeros_are_no_product_entry_by_entry(name: str) -> None:
     for part in exercise.parts:
         rows, columns = part.question.blank(exercise)
         zeros = "[" + "; ".join([" ".join("0" * columns)] * rows) + "]"
-        judged = check(exercise, part.id, zeros).diagnosis
+        judged = checked(exercise, part, zeros).diagnosis
         assert judged is None or "element-wise" not in judged.ids

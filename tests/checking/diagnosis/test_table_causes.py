@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import pytest
 
 from dhcli import check, load_exercise
 from dhcli.checking.diagnosis.slips import table_candidates
+from dhcli.checking.exercise import Exercise
 from dhcli.checking.kinds.made import question_about_table
 from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.tables.cells import dh_table_text
@@ -15,6 +17,7 @@ from dhcli.checking.verdicts import Verdict
 from dhcli.kinematics.conventions import Row
 from dhcli.notation.angle import Angle
 from tests.checking.tables.robots_with_tables import flip_x, flip_z, robot
+from tests.judging import checked
 from tests.nightly import in_turn
 
 SLIPS = {
@@ -34,6 +37,18 @@ def drawn_otherwise(rows: tuple[Row, ...], name: str, how: str) -> tuple[Row, ..
     return (rows[0], replace(rows[1], theta=turned), *rows[2:])
 
 
+@cache
+def with_slips(name: str) -> tuple[Exercise, dict[str, tuple[Row, ...]]]:
+    """The question about the table of a robot, and the table that each slip leads to."""
+    exercise = question_about_table(robot(name), robot(name).convention)
+    question = exercise.parts[0].question
+    assert isinstance(question, TableQuestion)
+    return exercise, {
+        one.slips[0].name: tuple(step.row for step in one.work.steps if step.row is not None)
+        for one in table_candidates(exercise, question.convention)
+    }
+
+
 DRAWN = ("x1 and z2 the other way", "joint 2 counts the other way", "joint 2 counts from elsewhere")
 
 
@@ -41,16 +56,10 @@ DRAWN = ("x1 and z2 the other way", "joint 2 counts the other way", "joint 2 cou
 @pytest.mark.parametrize("how", DRAWN)
 def test_a_slip_is_named_whatever_frames_are_drawn(name: str, how: str) -> None:
     """By the robot that the table describes, not by its cells."""
-    exercise = question_about_table(robot(name), robot(name).convention)
-    question = exercise.parts[0].question
-    assert isinstance(question, TableQuestion)
-    rows = {
-        one.slips[0].name: tuple(step.row for step in one.work.steps if step.row is not None)
-        for one in table_candidates(exercise, question.convention)
-    }
-    for slip in in_turn(SLIPS[name], DRAWN.index(how), 2):
+    exercise, rows = with_slips(name)
+    for slip in in_turn(SLIPS[name], DRAWN.index(how), 3):
         text = dh_table_text(drawn_otherwise(rows[slip], name, how), robot(name).columns, robot(name).writing)
-        mark = check(exercise, "table", text)
+        mark = checked(exercise, exercise.parts[0], text)
         assert mark.verdict is Verdict.WRONG
         assert mark.diagnosis is not None, (slip, text)
         assert slip in mark.diagnosis.ids
@@ -113,12 +122,13 @@ def test_slips_in_several_rows_are_named(name: str, answer: str, cause: str, wor
 def test_of_slips_with_the_same_motion_the_one_in_the_cells_typed_is_named() -> None:
     """In the table of a wrist two slips can move alike; the cells tell which of them was made."""
     exercise = load_exercise("yim/three-axis-wrist")
-    question = exercise.part("table").question
+    part = exercise.part("table")
+    question = part.question
     assert isinstance(question, TableQuestion)
     assert exercise.robot is not None
     for candidate in table_candidates(exercise, question.convention):
         rows = [step.row for step in candidate.work.steps if step.row is not None]
-        judged = check(exercise, "table", dh_table_text(rows, exercise.robot.columns, exercise.writing))
+        judged = checked(exercise, part, dh_table_text(rows, exercise.robot.columns, exercise.writing))
         if judged.verdict is Verdict.WRONG:
             assert judged.diagnosis is not None
             # with the twists of rows 4 and 6 swapped it is the right table in the other convention, which is said first

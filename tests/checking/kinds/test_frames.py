@@ -102,8 +102,10 @@ def test_our_own_frames_are_right_and_give_the_robots_own_table(name: str, conve
     assert mark(exercise, part, rows).verdict is Verdict.RIGHT
 
 
-@pytest.mark.parametrize("name", ["zhou-3r", "stanford", "puma560", "scara-yim", "ur5e", "cylindrical", "scara"])
-@pytest.mark.parametrize("convention", CONVENTIONS)
+@pytest.mark.parametrize(
+    ("name", "convention"),
+    paired(["zhou-3r", "stanford", "puma560", "scara-yim", "ur5e", "cylindrical", "scara"], CONVENTIONS),
+)
 def test_every_other_assignment_that_keeps_the_rules_is_right_and_its_table_is_the_robot(
     name: str, convention: Convention
 ) -> None:
@@ -166,8 +168,9 @@ def test_a_rule_is_broken_just_where_no_four_parameters_lead_from_frame_to_frame
     assert seen == {True, False}
 
 
-@pytest.mark.parametrize("name", ["zhou-3r", "stanford", "puma560", "scara-yim", "planar-2r"])
-@pytest.mark.parametrize("convention", CONVENTIONS)
+@pytest.mark.parametrize(
+    ("name", "convention"), paired(["zhou-3r", "stanford", "puma560", "scara-yim", "planar-2r"], CONVENTIONS)
+)
 def test_each_mistake_is_named(name: str, convention: Convention) -> None:
     """By the frames of a student who makes it."""
     exercise = asked(name, convention)

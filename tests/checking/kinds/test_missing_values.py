@@ -73,7 +73,7 @@ def use(judge: Judge, turn: int) -> None:
     (part,) = judge.exercise.parts
     checks = (partial(check, judge) for check in (check_own, check_one, check_three))
     doors = (judge.expected, *checks, judge.solution, judge.hidden, judge.slips, lambda _: judge.unclear())
-    for door in in_turn(doors, turn, 3):
+    for door in in_turn(doors, turn, 4):
         try:
             door(part)
         except DhcliError as error:

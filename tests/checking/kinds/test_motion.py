@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from functools import cache
 from typing import TYPE_CHECKING
 
 import pytest
@@ -38,8 +39,9 @@ Q = {
 }
 
 
+@cache
 def asked(robot: str, ask: str, q: tuple[float, ...] | None = None, **changes: object) -> tuple[Judge, Part]:
-    """A question about a robot, in numbers where joint values are given."""
+    """A question about a robot, in numbers where joint values are given; its judge is made once for all tests."""
     arm = load_robot(robot)
     values = joint_values(arm, list(q)) if q is not None else {}
     exercise: Exercise = question_about(arm, ask, numeric=q is not None, given=values)
@@ -103,6 +105,19 @@ def test_joint_rates_give_the_velocity_back(q: tuple[float, float, float]) -> No
     assert all(abs(a - b) < 1e-3 for a, b in zip(moved, (0.1, -0.2, 0.05), strict=True))
 
 
+@cache
+def judge_in_letters(robot: str, ask: str) -> Judge:
+    """The judge of a question about a robot that has letters of its own beside those of the robot."""
+    names = ("dtheta1", "dtheta2", "v")
+    arm = load_robot(robot)
+    from dhcli.checking.exercise import Exercise, Part
+    from dhcli.checking.kinds.registry import read_question
+    from dhcli.checking.written import answer_scope
+
+    part = Part("one", read_question(ask, answer_scope(arm, names)))
+    return Judge(Exercise("one", "", "", "", (part,), arm, names=names))
+
+
 @pytest.mark.parametrize(
     ("robot", "ask", "answer"),
     [
@@ -144,14 +159,8 @@ def test_joint_rates_give_the_velocity_back(q: tuple[float, float, float]) -> No
 )
 def test_any_form_of_the_right_answer_is_right(robot: str, ask: str, answer: str) -> None:
     """As books print it, and as people type it."""
-    names = ("dtheta1", "dtheta2", "v")
-    arm = load_robot(robot)
-    from dhcli.checking.exercise import Exercise, Part
-    from dhcli.checking.kinds.registry import read_question
-    from dhcli.checking.written import answer_scope
-
-    part = Part("one", read_question(ask, answer_scope(arm, names)))
-    mark = Judge(Exercise("one", "", "", "", (part,), arm, names=names)).check(part, answer)
+    judge = judge_in_letters(robot, ask)
+    mark = judge.check(judge.exercise.parts[0], answer)
     assert mark.verdict is Verdict.RIGHT, mark
 
 
@@ -199,12 +208,16 @@ SLIPS = [
 ]
 
 
+QUESTIONS = list(dict.fromkeys((robot, ask) for robot, ask, _ in SLIPS))
+"""By day every other one is in numbers, for all its slips."""
+
+
 @pytest.mark.parametrize(("robot", "ask", "slip"), SLIPS)
 def test_a_slip_is_named_by_the_answer_it_leads_to(robot: str, ask: str, slip: str) -> None:
     """In numbers, and where the question has an answer in symbols there too; nothing else is named."""
     q = (0.3, -0.5, 0.4, 0.7, 0.0, -0.4) if ask.startswith("rank") else Q[robot]
     in_numbers = "degrees" in slip or ask.startswith(("manip", "rank"))
-    for values in (q,) if in_numbers else in_turn((q, None), SLIPS.index((robot, ask, slip)), 2):
+    for values in (q,) if in_numbers else in_turn((q, None), QUESTIONS.index((robot, ask)), 2):
         judge, part = asked(robot, ask, values)
         mark = judge.check(part, judge.answer_with(part, slip))
         assert mark.verdict is Verdict.WRONG

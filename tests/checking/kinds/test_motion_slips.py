@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -22,13 +23,14 @@ from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.values import joint_values
 from dhcli.notation.tree import Expr, Symbol, number
-from tests.nightly import paired
+from tests.nightly import NIGHT, paired, some
 
 MOTION = Path(__file__).parents[3] / "exercises" / "motion"
 
 
+@cache
 def asked(robot: str, ask: str, q: tuple[float, ...] | None) -> Judge:
-    """The judge of one question, in numbers where joint values are given."""
+    """The judge of one question, in numbers where joint values are given; it is made once for all tests."""
     arm = load_robot(robot)
     given = joint_values(arm, list(q)) if q is not None else {}
     return Judge(question_about(arm, ask, numeric=q is not None, given=given))
@@ -200,14 +202,14 @@ def test_one_number_is_too_little_for_two_slips(ask: str) -> None:
     judge = asked("articulated", ask, Q)
     part = judge.exercise.parts[0]
     right = float(judge.expected(part))
-    for share in (0.31, 0.57, 0.73, 0.91, 1.21, 1.9):
+    for share in some((0.31, 0.57, 0.73, 0.91, 1.21, 1.9), 3):
         found = judge.check(part, f"{right * share:.5f}").diagnosis
         assert found is None or all(len(cause) == 1 for cause in found.causes)
 
 
 def test_two_slips_behind_one_number_are_named_by_its_digits() -> None:
     """54.098 is the pair's alone; 54 may be anything."""
-    judge = Judge(load_exercise(MOTION / "articulated-load.yaml"))
+    judge = judge_of("articulated-load")
     part = judge.exercise.part("w")
     found = judge.check(part, "54.098").diagnosis
     assert found is not None
@@ -217,19 +219,25 @@ def test_two_slips_behind_one_number_are_named_by_its_digits() -> None:
 
 @pytest.mark.parametrize(("name", "part"), [("articulated-load", "w"), ("wrist-analytic", "rpy")])
 def test_a_number_out_of_the_blue_hardly_ever_has_a_name(name: str, part: str) -> None:
-    """However many digits it has: of two hundred at most one in fifty."""
-    judge, draw = Judge(load_exercise(MOTION / f"{name}.yaml")), Random(3)  # noqa: S311
+    """However many digits it has: at most one in fifty."""
+    judge, draw, tries = judge_of(name), Random(3), 200 if NIGHT else 100  # noqa: S311
     one, named = judge.exercise.part(part), 0
     right = float(judge.expected(one))
-    for _ in range(200):
+    for _ in range(tries):
         found = judge.check(one, f"{right * draw.uniform(-1.5, 1.5):.{draw.choice([3, 4, 5])}f}").diagnosis
         named += found is not None
-    assert named <= 4
+    assert named <= tries / 50
+
+
+@cache
+def judge_of(name: str) -> Judge:
+    """The judge of an exercise of the course."""
+    return Judge(load_exercise(MOTION / f"{name}.yaml"))
 
 
 def sheet(name: str, answers: Mapping[str, str]) -> SheetMark:
     """A sheet of an exercise of the course with right answers but for some."""
-    judge = Judge(load_exercise(MOTION / f"{name}.yaml"))
+    judge = judge_of(name)
     right = {part.id: judge.expected(part) for part in judge.exercise.parts}
     return judge.sheet(right | answers)
 

@@ -25,7 +25,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Symbol, number
 from tests.checking.tables.robots_with_tables import NAMES, Move, keeping, mutations, robot, rows_of
-from tests.judging import answer_with, slips
+from tests.judging import answer_with, checked, slips
 from tests.nightly import NIGHT, in_turn
 from tests.row_by_row import row_by_row
 
@@ -369,7 +369,7 @@ def test_the_row_that_holds_a_slip_is_among_those_to_look_at(name: str) -> None:
     task = question_about_table(robot(name), robot(name).convention)
     seen = 0
     for slip in in_turn(slips(task, task.parts[0]), 1, 5):
-        mark = check(task, "table", answer_with(task, task.parts[0], slip.name))
+        mark = checked(task, task.parts[0], answer_with(task, task.parts[0], slip.name))
         row = slip.name.partition(" ")[2]
         if slip.name.startswith("thetas-swapped"):
             assert mark.remarks[0].startswith("your joints come as")

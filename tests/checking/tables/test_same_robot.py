@@ -38,7 +38,7 @@ from tests.checking.tables.robots_with_tables import (
     robot,
     rows_of,
 )
-from tests.nightly import examples, some
+from tests.nightly import NIGHT, examples, some
 
 NOTHING = Values({}, {})
 names = st.sampled_from(NAMES)
@@ -157,7 +157,7 @@ def moved(chain: Chain, variables: tuple[str, ...], senses: list[int], zeros: li
     return substituted(chain, lengths, angles)
 
 
-@examples(0.6)
+@examples(0.6 if NIGHT else 0.3)
 @given(tables(), conventions, senses, zeros, rigid_moves, rigid_moves)
 def test_any_base_sense_zero_and_tool_is_found(
     table: tuple[Rows, tuple[str, ...]],
@@ -204,7 +204,7 @@ def test_a_slip_that_is_accepted_has_kept_the_motion(name: str) -> None:
     """Each slip in each table: accepted only with a proof, and never if two axes have moved."""
     convention, variables, rows = robot(name).convention, robot(name).variables, rows_of(name)
     truth = arm(rows, convention, variables)
-    for slip, other in some([*mutations(rows, variables)], 14):
+    for slip, other in some([*mutations(rows, variables)], 25):
         outcome = same_robot(truth, arm(other, convention, variables))
         point = {**floats(outcome.point), "b9": 0.777}
         if outcome.verdict is Verdict.RIGHT:
