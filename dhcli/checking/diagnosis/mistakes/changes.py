@@ -22,6 +22,10 @@ OFFSETS = (90, -90, 180)
 MILLI = Fraction(1, 1000)
 RIGHT_ANGLE = Angle.in_degrees(90)
 
+CALCULATOR = "is your calculator in degrees or in radians?"
+LENGTHS = "look at the units of the lengths"
+"""Where to look when a number is in another unit."""
+
 
 def each(change: Change) -> Maker:
     """A mistake that may be made in any one row."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from dhcli.checking.diagnosis.mistakes.changes import RIGHT_ANGLE, other_unit, scale_of
+from dhcli.checking.diagnosis.mistakes.changes import CALCULATOR, LENGTHS, RIGHT_ANGLE, other_unit, scale_of
 from dhcli.checking.diagnosis.record import Catalogue
 from dhcli.checking.diagnosis.result import Rank
 from dhcli.checking.diagnosis.work import Factor, Level, Made, Maker, Setting, Work
@@ -55,7 +55,7 @@ def turn_sine_cosine(work: Work, _setting: Setting) -> Made:
 @IN_MOVES(
     "turn-unit",
     "the turn in move {where} is taken in the wrong unit, degrees for radians or the other way round",
-    "is your calculator in degrees or in radians?",
+    CALCULATOR,
     of_values=True,
 )
 def turn_unit(work: Work, setting: Setting) -> Made:
@@ -76,7 +76,7 @@ def shift_sign(work: Work, _setting: Setting) -> Made:
 @IN_MOVES(
     "shift-in-mm",
     "the shift along {term} in move {entry} is in another unit than the other lengths, mm for m",
-    "look at the units of the lengths",
+    LENGTHS,
 )
 def shift_unit(work: Work, setting: Setting) -> Made:
     """The number of another unit in the place of a shift."""

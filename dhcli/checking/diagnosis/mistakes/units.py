@@ -5,7 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
-from dhcli.checking.diagnosis.mistakes.changes import InRows, all_rows, other_unit, scale_of
+from dhcli.checking.diagnosis.mistakes.changes import (
+    CALCULATOR,
+    LENGTHS,
+    InRows,
+    all_rows,
+    other_unit,
+    scale_of,
+)
 from dhcli.checking.diagnosis.work import Factor, Level, Made, Setting, Work
 from dhcli.kinematics.conventions import Row, moves_of
 from dhcli.notation.tree import multiply
@@ -16,7 +23,7 @@ IN_UNITS = InRows(Level.TABLE)
 @IN_UNITS.in_each(
     "theta-unit",
     "the joint angle of row {where} is taken in the wrong unit, degrees for radians or the other way round",
-    "is your calculator in degrees or in radians?",
+    CALCULATOR,
     of_values=True,
 )
 def theta_unit(row: Row, setting: Setting) -> Row | None:
@@ -28,7 +35,7 @@ def theta_unit(row: Row, setting: Setting) -> Row | None:
 @IN_UNITS.in_each(
     "alpha-unit",
     "alpha of row {where} is taken in the wrong unit, degrees for radians or the other way round",
-    "is your calculator in degrees or in radians?",
+    CALCULATOR,
     of_values=True,
 )
 def alpha_unit(row: Row, setting: Setting) -> Row | None:
@@ -40,7 +47,7 @@ def alpha_unit(row: Row, setting: Setting) -> Row | None:
 @IN_UNITS(
     "angles-unit",
     "every angle is taken in the wrong unit, degrees for radians or the other way round",
-    "is your calculator in degrees or in radians?",
+    CALCULATOR,
     of_values=True,
 )
 def angles_unit(work: Work, setting: Setting) -> Made:
@@ -61,7 +68,7 @@ def angles_unit(work: Work, setting: Setting) -> Made:
 IN_UNITS(
     "thetas-unit",
     "the joint angles are taken in the wrong unit, degrees for radians or the other way round",
-    "is your calculator in degrees or in radians?",
+    CALCULATOR,
     of_values=True,
 )(all_rows(theta_unit))
 
@@ -69,7 +76,7 @@ IN_UNITS(
 @IN_UNITS.in_each(
     "a-in-mm",
     "a of row {where} is in another unit than the other lengths, mm for m",
-    "look at the units of the lengths",
+    LENGTHS,
 )
 def a_unit(row: Row, setting: Setting) -> Row | None:
     """The number of another unit in the place of a length."""
@@ -80,7 +87,7 @@ def a_unit(row: Row, setting: Setting) -> Row | None:
 @IN_UNITS.in_each(
     "d-in-mm",
     "d of row {where} is in another unit than the other lengths, mm for m",
-    "look at the units of the lengths",
+    LENGTHS,
 )
 def d_unit(row: Row, setting: Setting) -> Row | None:
     """The number of another unit in the place of an offset."""

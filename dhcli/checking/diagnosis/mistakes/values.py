@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import TypeAlias
 
-from dhcli.checking.diagnosis.mistakes.changes import OFFSETS, scale_of
+from dhcli.checking.diagnosis.mistakes.changes import CALCULATOR, OFFSETS, scale_of
 from dhcli.checking.diagnosis.record import Catalogue
 from dhcli.checking.diagnosis.terms import flipped, pieces, shown
 from dhcli.checking.diagnosis.work import Setting
@@ -57,7 +57,7 @@ def sine_cosine(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
 @IN_VALUES(
     "angle-unit",
     "an angle is taken in the wrong unit, degrees for radians or the other way round",
-    "is your calculator in degrees or in radians?",
+    CALCULATOR,
 )
 def angle_unit(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
     """Every given angle with its number in the other unit, as on a calculator in the wrong mode."""
