@@ -109,6 +109,19 @@ def pytest_collection_finish() -> None:
     """Spare the collector of garbage the thousands of tests that were found, which live to the end."""
     gc.freeze()
     gc.set_threshold(50_000, 20, 20)
+    if settings.get_current_profile_name() != "nightly":
+        _draw_no_literals()
+
+
+def _draw_no_literals() -> None:
+    """Have hypothesis draw no literal of our own code, which it would search in all modules that are imported by then.
+
+    That takes it seconds, and which examples it tries would depend on which tests ran before. It has no setting for it.
+    """
+    providers = sys.modules.get("hypothesis.internal.conjecture.providers")
+    literals = getattr(providers, "_local_constants", None)
+    if hasattr(providers, "_get_local_constants"):
+        providers._get_local_constants = lambda: literals
 
 
 _FOUND = set(os.listdir())  # where the tests are started: a checkout
