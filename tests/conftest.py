@@ -99,29 +99,28 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     """Leave out what is marked nightly, unless it is night."""
     if settings.get_current_profile_name() == "nightly":
         return
+    _draw_no_literals()
     left_out = [item for item in items if item.get_closest_marker("nightly")]
     if left_out:
         config.hook.pytest_deselected(items=left_out)
         items[:] = [item for item in items if not item.get_closest_marker("nightly")]
 
 
-def pytest_collection_finish() -> None:
-    """Spare the collector of garbage the thousands of tests that were found, which live to the end."""
-    gc.freeze()
-    gc.set_threshold(50_000, 20, 20)
-    if settings.get_current_profile_name() != "nightly":
-        _draw_no_literals()
-
-
 def _draw_no_literals() -> None:
     """Have hypothesis draw no literal of our own code, which it would search in all modules that are imported by then.
 
-    That takes it seconds, and which examples it tries would depend on which tests ran before. It has no setting for it.
+    That takes it seconds, and which examples it tries would depend on what is imported. It has no setting for it.
     """
     providers = sys.modules.get("hypothesis.internal.conjecture.providers")
     literals = getattr(providers, "_local_constants", None)
     if hasattr(providers, "_get_local_constants"):
         providers._get_local_constants = lambda: literals
+
+
+def pytest_collection_finish() -> None:
+    """Spare the collector of garbage the thousands of tests that were found, which live to the end."""
+    gc.freeze()
+    gc.set_threshold(50_000, 20, 20)
 
 
 _FOUND = set(os.listdir())  # where the tests are started: a checkout
