@@ -13,7 +13,8 @@ from dhcli.checking.written import Printed, Range, Trial, answer_scope
 from dhcli.errors import DhcliError, FileError, Problem, did_you_mean, nearest
 from dhcli.files.keys.exercises import ALSO, EXERCISE, PART, PRINTED, SOURCE, TEST, TOLERANCE
 from dhcli.files.keys.shapes import names, required
-from dhcli.files.library.lookup import Kind, check_typed, entries, find, full_id
+from dhcli.files.library.entries import Kind, entries, full_id
+from dhcli.files.library.lookup import check_typed, find
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.credits import read_shares
 from dhcli.files.yaml.fields import Fields, Problems
