@@ -34,6 +34,25 @@ _PARAMS = SimpleNamespace(
 """What `dataclasses`, `pprint` and pytest ask of how a class was made."""
 
 T = TypeVar("T")
+K = TypeVar("K")
+V = TypeVar("V")
+
+
+class FrozenDict(dict[K, V]):
+    """A `dict` that nobody changes, so that it has a hash; copied, and sent to other processes, as one."""
+
+    __slots__ = ()
+
+    def __hash__(self) -> int:  # type: ignore[override]  # a dict has none
+        return hash(frozenset(self.items()))
+
+    def __reduce__(self) -> tuple[type, tuple[dict[K, V]]]:
+        return type(self), (dict(self),)
+
+    def _refuse(self, *_: object, **__: object) -> Any:  # noqa: ANN401  whatever each of them gives
+        raise TypeError("this mapping cannot be changed: dict(...) makes one of it that can")
+
+    __setitem__ = __delitem__ = __ior__ = clear = pop = popitem = setdefault = update = _refuse
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
