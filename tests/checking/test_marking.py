@@ -22,7 +22,7 @@ from dhcli.checking.orientations import angle_between, not_orthonormal
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals
 from dhcli.checking.verdicts import Mark, Verdict, too_few
 from dhcli.errors import DhcliError, UnknownNameError
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.forward import forward

@@ -44,7 +44,7 @@ def start(
     from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import write_file
     from dhcli.errors import DhcliError
-    from dhcli.files.library.lookup import YAML
+    from dhcli.files.library.entries import YAML
     from dhcli.files.yaml.exercises import load_exercise
     from dhcli.files.yaml.sheets import write_sheet
     from dhcli.render.endings import check_ending

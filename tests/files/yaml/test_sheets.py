@@ -12,7 +12,7 @@ from dhcli.checking.kinds.factors import FactorsQuestion
 from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import FileError
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.robot_line import values_text
 from dhcli.files.yaml.robots import load_robot
