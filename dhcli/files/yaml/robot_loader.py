@@ -123,6 +123,7 @@ class Loader:
             "first": first,
             "limits": values.limits(self.fields.mapping("limits", example="{theta1: [-160°, 160°]}")),
             "poses": self.read_poses(values),
+            "called": values.called(self.fields.mapping("called", example="{theta1: shoulder_pan_joint}")),
             "columns": COLUMNS if self.has_beta else self.columns,
             "derived": reader.formulas,
             "remarks": tuple(dict.fromkeys(self.remarks or ())),
