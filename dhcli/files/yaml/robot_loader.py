@@ -15,6 +15,7 @@ from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.joint_values import JointValues
 from dhcli.files.yaml.parameters import Parameters
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
+from dhcli.files.yaml.slips import row_of
 from dhcli.files.yaml.typed import read_flag, read_moves, read_value, read_whole
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, calibrated_moves, convention_hint, moves_of
 from dhcli.kinematics.description import Description
@@ -211,12 +212,13 @@ class Loader:
             scalar = read_moves(self.problems, node, "links")
             return Link(number, self.moves(scalar), None, scalar.text) if scalar else Link(number, ())
         if not isinstance(node, PlacedMapping):
-            self.problems.add(
-                node.place,
-                f"links: row {index + 1} should be a mapping",
-                f"write {self.link_example}, or convention: product for moves",
-            )
-            return Link(number, ())
+            meant, shown = row_of(node, self.variables)
+            hint = f"write {shown}, if its cells are these" if shown else ""
+            hint = hint or f"write {self.link_example}, or convention: product for moves"
+            self.problems.add(node.place, f"links: row {index + 1} should be a mapping", hint)
+            if not meant.entries:
+                return Link(number, ())
+            node = meant
         fields = self.problems.mapping(node, "links", known=(*COLUMNS, "beta"), required=required(ROW))
         if len(fields.entries) == len(COLUMNS) and index == 0:
             self.columns = tuple(fields.entries)
