@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from dhcli.checking.judge import check as check
     from dhcli.errors import DhcliError as DhcliError
-    from dhcli.files.library.lookup import list_robots as list_robots
+    from dhcli.files.library.entries import list_robots as list_robots
     from dhcli.files.yaml.exercises import load_exercise as load_exercise
     from dhcli.files.yaml.robots import load_robot as load_robot
     from dhcli.geometry.many import axis_angles as axis_angles
@@ -71,7 +71,7 @@ _HOMES = {
     "inverse_batch": "dhcli.kinematics.inverse.batch",
     "jacobian": "dhcli.kinematics.velocity.many",
     "joint_rates": "dhcli.kinematics.velocity.rates",
-    "list_robots": "dhcli.files.library.lookup",
+    "list_robots": "dhcli.files.library.entries",
     "load_exercise": "dhcli.files.yaml.exercises",
     "in_motors": "dhcli.kinematics.motors",
     "load_robot": "dhcli.files.yaml.robots",

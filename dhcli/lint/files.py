@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dhcli.errors import DhcliError, FileError, Place, Problem
+from dhcli.files.library.entries import YAML, Kind
 from dhcli.files.library.kinds import kind_of
-from dhcli.files.library.lookup import YAML, Kind
 from dhcli.files.reading import read_text
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.frozen import frozen

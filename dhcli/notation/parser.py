@@ -92,14 +92,19 @@ class Parser(Calls):
     """Reads expressions from tokens; the readers of matrices and of moves share it."""
 
     def finish(self) -> None:
-        """Make sure that nothing is left over, and that no letter stands both small and capital for one name."""
+        """Make sure that nothing is left over, and that no length has two names, A1 and a1 or l1 and a1."""
         super().finish()
-        for token in self.tokens:
-            if token.kind != "word" or not token.text[0].isupper() or not self.scope.is_alias(token.text):
+        words = [token for token in self.tokens if token.kind == "word"]
+        for token in words:
+            name = self.scope.length_meant(token.text)
+            if not name:
                 continue
-            small = token.text[0].lower() + token.text[1:]
-            if any(other.text == small for other in self.tokens):
-                raise self.error(f"{token.text} stands beside {small}: are they the same?", "write one of them", token)
+            own = canonical(token.text)
+            for other in (canonical(each.text) for each in words):
+                if other != own and name in (other, self.scope.length_meant(other)):
+                    raise self.error(
+                        f"{token.text} stands beside {other}: are they the same?", "write one of them", token
+                    )
 
     def _word(self, token: Token) -> Expr:
         word = token.text

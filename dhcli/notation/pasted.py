@@ -27,7 +27,7 @@ _ENTRY = regex(
     r"(?:^|[\n,;])[^\S\n]*(?:\{\})?(?:\^\{?[0-9]\}?)?(?:_\{?[0-9]\}?)?([rRnoapPT])_?\{?([1-3]{2}|[xyz])\}?[^\S\n]*&?=\s*&?"
 )
 """What stands before an entry in a list of them; no blank lines, or each would be gone through from all before it."""
-_POSE, _ROTATION, _VECTOR = (4, 4), (3, 3), (3, 1)
+_POSE, _ROTATION = (4, 4), (3, 3)
 
 
 class EntriesError(ValueError):
@@ -71,14 +71,12 @@ def rows_of(text: str, shape: Shape) -> str:
             raise EntriesError(f"{name} stands there twice")
         entries[name] = plain(text[match.end() : end].strip()).replace("\n", " ")
     rows = [[f"r{row}{column}" for column in "123"] + [f"p{axis}"] for row, axis in zip("123", "xyz", strict=True)]
-    wanted = {_POSE: rows, _ROTATION: [row[:3] for row in rows], _VECTOR: [row[3:] for row in rows]}.get(shape)
+    wanted = {_POSE: rows, _ROTATION: [row[:3] for row in rows]}.get(shape)
     if wanted is None:
         return text
     missing = [name for row in wanted for name in row if name not in entries]
     if missing:
         raise EntriesError(f"{', '.join(missing)} {are(len(missing))} missing")
-    if shape == _VECTOR:  # in a row, where commas keep `a1 c1` one coordinate
-        return "[" + ", ".join(entries[row[0]] for row in wanted) + "]"
     bottom = [["0", "0", "0", "1"]] if shape == _POSE else []
     return bracketed([*([entries[name] for name in row] for row in wanted), *bottom])
 

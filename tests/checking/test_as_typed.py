@@ -115,6 +115,8 @@ READ = [
     (COUNTS, "gruebler", "λ(N - J - 1) + J f", ("- 1", "+ 1")),
     (COUNTS, "gruebler", "lambda (N-1-j) + j.f", ("-1", "-2")),
     (JACOBIAN, "column1", "-A1 S1 - A2 S12; A1 C1 + A2 C12; 0", ("A1 C1", "A2 C1")),
+    (JACOBIAN, "column1", "-L1 S1 - L2 S12; L1 C1 + L2 C12; 0", ("L1 C1", "L2 C1")),
+    (JACOBIAN, "column1", "-l_1 s_1 - l_2 s_{12}; l1c1 + l2c12; 0", ("l1c1", "l2c1")),
     (JACOBIAN, "column1", "-a1 sin t1 - a2 sin(t1+t2); a1 cos t1 + a2 cos(t1+t2); 0", ("cos t1", "cos t2")),
     (JACOBIAN, "column1", "-a1.sin th1 - a2.s(th12); a1.cos th1 + a2.c(th12); 0", ("cos th1", "cos th2")),
     (JACOBIAN, "singular", "θ2 ∈ {0, π}", ("π", "π/2")),

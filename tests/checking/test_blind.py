@@ -13,7 +13,7 @@ from dhcli.checking.kinds.count import CountQuestion
 from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.marked import PartMark
 from dhcli.checking.verdicts import Verdict
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from tests.judging import judge_of, mark_sheet, vary
 from tests.nightly import in_turn, some
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from dhcli import check, load_exercise
@@ -31,6 +33,24 @@ def test_the_numbers_of_the_robot_for_its_letters_are_named(exercise: str, part:
     assert judged.verdict is Verdict.WRONG
     assert judged.diagnosis is not None
     assert judged.diagnosis.names == (f"the robot's numbers stand for its letters{words}",)
+
+
+@pytest.mark.parametrize("exercise", ["motion/articulated-jacobian", "wpi/puma560-links", "zhou/three-r-arm-tip"])
+def test_l2_is_no_name_where_it_might_be_another_length(exercise: str) -> None:
+    """Beside d1, l1 may be d1 or a2; where the lengths are a, b and c they have no numbers."""
+    found = load_exercise(exercise)
+    assert not [word for word in ("l1", "l2", "L2", "l3") if found.scope.has(word)]
+
+
+def test_l1_is_a_question_beside_a1_and_in_a_task_with_a_length_of_its_own() -> None:
+    """Whoever writes both means two lengths; whoever reads of an l in the task means that."""
+    exercise = load_exercise(JACOBIAN)
+    judged = check(exercise, "determinant", "a1*l2*s2 + 0*a2")
+    assert judged.verdict is Verdict.CANNOT_READ
+    assert "l2 stands beside a2" in judged.remarks[0]
+    assert check(exercise, "determinant", "a1*l2*s2").verdict is Verdict.RIGHT
+    for words in ("The arm is L = 0.7 m long.", "Let l_1 be the height.", "l1 is none of its lengths"):
+        assert not replace(exercise, task=words).scope.has("l2")
 
 
 @pytest.mark.parametrize(

@@ -157,10 +157,10 @@ def test_a_broken_file_is_listed_with_what_is_wrong(dhcli: Run, tmp_path: Path) 
 
 def test_a_robot_that_hides_a_built_in_one_is_said_to(dhcli: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     """Both are listed; the exercises, which are read anew beside it, are left out."""
-    from dhcli.files.library import catalogue, lookup
+    from dhcli.files.library import catalogue
+    from dhcli.files.library.entries import Kind, entries
 
-    entries = lookup.entries
-    monkeypatch.setattr(catalogue, "entries", lambda kind: entries(kind) if kind is lookup.Kind.ROBOTS else ())
+    monkeypatch.setattr(catalogue, "entries", lambda kind: entries(kind) if kind is Kind.ROBOTS else ())
     dhcli("new", "robot", "scara")
     lines = [line for line in dhcli("list", "robots").out.split("\n") if line.split()[:1] == ["scara"]]
     assert len(lines) == 2
@@ -170,10 +170,10 @@ def test_a_robot_that_hides_a_built_in_one_is_said_to(dhcli: Run, monkeypatch: p
 
 def test_kinds_without_content_are_not_shown(dhcli: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     """And an empty kind that is asked for is said to be empty."""
-    from dhcli.files.library import catalogue, lookup
+    from dhcli.files.library import catalogue
+    from dhcli.files.library.entries import Kind, entries
 
-    entries = lookup.entries
-    monkeypatch.setattr(catalogue, "entries", lambda kind: entries(kind) if kind is lookup.Kind.ROBOTS else ())
+    monkeypatch.setattr(catalogue, "entries", lambda kind: entries(kind) if kind is Kind.ROBOTS else ())
     assert "linkages" not in dhcli("list").out
     done = dhcli("list", "linkages")
     assert (done.code, done.out.strip()) == (0, "")

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from dhcli.files.library.lookup import Kind, find
+from dhcli.files.library.entries import Kind
+from dhcli.files.library.lookup import find
 from tests.lint.linting import Broken, assert_told, cases, findings
 
 CLEAN = """\

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from dhcli.errors import DhcliError
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.files.yaml import coordinates
 from dhcli.files.yaml.linkages import find_linkage, load_linkage, read_linkage
 from dhcli.mobility.counting import Counts

@@ -11,7 +11,8 @@ from dhcli.checking.blanks import refuse_one_expression
 from dhcli.checking.entries import Entries, Entry, check_names, count_remark
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.lists import flat, in_square_brackets
-from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, refuse_long, without_label
+from dhcli.checking.named import Naming, in_order
+from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, refuse_long, without_label, without_words
 from dhcli.checking.units import has_length_unit, length_in_metres
 from dhcli.checking.vectors import LENGTHS, as_column, column_of_rows
 from dhcli.errors import NotationError, Place
@@ -44,6 +45,7 @@ def read_cells(
     text: str,
     place: Place | None = None,
     units: Sequence[str] = (),
+    names: Naming = (),
 ) -> Entries:
     """Read an answer in the shape of the right one.
 
@@ -51,6 +53,7 @@ def read_cells(
         exercise: The exercise, for its names and the unit of its sheet.
         powers: For each entry of the right answer the power of a length that it is.
         units: For each entry of a list its unit of rate or force, where a list of these is asked for.
+        names: What the entries of a list are called.
         text: What was typed.
         place: Where it stands, for errors.
 
@@ -59,7 +62,13 @@ def read_cells(
     """
     refuse_long(text)
     shape = len(powers), len(powers[0])
-    body = without_label(as_matrix(text, shape), shape)
+    namings = (
+        names,
+        tuple(str(k + 1) for k in range(len(names))),
+    )  # of the entries of a column the second gives the rows
+    body = in_order(text, namings, exercise.scope)
+    body = without_words(body, exercise.scope) if shape != (1, 1) else body
+    body = without_label(as_matrix(body, shape), shape)
     _check_units(body, units, exercise)
     body = _without_units(body, powers, exercise)
     refuse_blanks(body)

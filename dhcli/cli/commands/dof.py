@@ -37,7 +37,7 @@ _ROBOT = "A robot at joint values"
 
 def complete_linkage(incomplete: str) -> list[str]:
     """Names of linkages and robots that begin like this; reads no file."""
-    from dhcli.files.library.lookup import Kind, entries
+    from dhcli.files.library.entries import Kind, entries
 
     names = (entry.name for kind in (Kind.LINKAGES, Kind.ROBOTS) for entry in entries(kind))
     return [name for name in names if name.startswith(incomplete)]

@@ -9,7 +9,7 @@ import typer
 from dhcli.cli.shell.written import Written, in_formats
 
 if TYPE_CHECKING:
-    from dhcli.files.library.lookup import Kind
+    from dhcli.files.library.entries import Kind
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -22,7 +22,7 @@ dhcli list robots --format json
 
 def complete_kind(incomplete: str) -> list[str]:
     """The kinds that begin like this."""
-    from dhcli.files.library.lookup import Kind
+    from dhcli.files.library.entries import Kind
 
     return [kind.value for kind in Kind if kind.value.startswith(incomplete)]
 
@@ -51,7 +51,7 @@ def list_(
 def kinds_of(word: str | None) -> tuple[Kind, ...]:
     """The kinds meant by a word; all of them by none."""
     from dhcli.errors import UnknownNameError, did_you_mean
-    from dhcli.files.library.lookup import Kind
+    from dhcli.files.library.entries import Kind
 
     if word is None:
         return tuple(Kind)

@@ -69,7 +69,8 @@ def robot(
     """Write a commented robot file that loads, for you to change, or one that is made of another description."""
     from dhcli.cli.shell.console import tell
     from dhcli.errors import DhcliError
-    from dhcli.files.library.lookup import OWN, is_own, typed_path
+    from dhcli.files.library.entries import is_own
+    from dhcli.files.library.lookup import OWN, typed_path
     from dhcli.files.yaml.templates import check_name, robot_template
 
     if from_ is not None:
@@ -128,7 +129,8 @@ def exercise(
 ) -> None:
     """Write a commented exercise file with blanks that lint points at, for you to fill in."""
     from dhcli.errors import DhcliError
-    from dhcli.files.library.lookup import Kind, is_path, typed_path
+    from dhcli.files.library.entries import Kind
+    from dhcli.files.library.lookup import is_path, typed_path
     from dhcli.files.yaml.exercise_template import exercise_template
     from dhcli.files.yaml.robots import load_robot
 

@@ -87,12 +87,13 @@ def _load(kind: str, chosen: Chosen, variant: str | None) -> object:
         return load_linkage(name)
     from dhcli.cli.shell.given import robot_of
     from dhcli.errors import UnknownNameError
-    from dhcli.files.library.kinds import unknown
-    from dhcli.files.library.lookup import Kind
 
     try:
         return robot_of(chosen)
     except UnknownNameError as error:
         if chosen.base is not None or chosen.tip is not None:
             raise  # it may be a link that is not known
+        from dhcli.files.library.entries import Kind
+        from dhcli.files.library.near import unknown
+
         raise unknown(name, tuple(Kind), error) from None

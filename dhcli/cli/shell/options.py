@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 def complete_robot(incomplete: str) -> list[str]:
     """Names of robots that begin like this; reads no file."""
-    from dhcli.files.library.lookup import Kind, entries
+    from dhcli.files.library.entries import Kind, entries
 
     return [entry.name for entry in entries(Kind.ROBOTS) if entry.name.startswith(incomplete)]
 
@@ -40,7 +40,7 @@ AnyName: TypeAlias = Annotated[
 
 def complete_exercise(incomplete: str) -> list[str]:
     """Names of exercises that begin like this, with their folder or without; reads no file."""
-    from dhcli.files.library.lookup import Kind, entries
+    from dhcli.files.library.entries import Kind, entries
 
     names = [entry.name for entry in entries(Kind.EXERCISES)]
     return [name for name in names if name.startswith(incomplete) or name.split("/")[-1].startswith(incomplete)]

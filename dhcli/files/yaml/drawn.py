@@ -15,7 +15,6 @@ from dhcli.files.yaml.robot_loader import Loader
 from dhcli.files.yaml.typed import parsed, read_value
 from dhcli.geometry.orthonormal import not_a_rotation
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, axis_called, length, scaled
-from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, drawing_of
 from dhcli.kinematics.describe.linear import Form, LettersError, Point, form_of, moved, point_of
 from dhcli.kinematics.describe.products import chains_of
@@ -62,11 +61,6 @@ class DrawnLoader(Loader):
         super().__init__(root, name, refused, ROBOTS[convention])
         self.given = convention
         self.drawn: dict[str, Value] = {}
-
-    def read_convention(self) -> Convention:
-        """A product, as far as everything else is concerned."""
-        self.fields.scalar("convention")
-        return Convention.PRODUCT
 
     def read_links(self, first: int) -> tuple[Link, ...]:
         """A link for each joint."""

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from dhcli.errors import Place, did_you_mean
 from dhcli.files.yaml.fields import Fields
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar
+from dhcli.files.yaml.reader import Reader
 from dhcli.files.yaml.typed import has_unit_of_angle
 from dhcli.kinematics.derived import Value
 from dhcli.notation.angle import Angle
@@ -22,7 +23,7 @@ class JointValues:
     def __init__(
         self,
         turns: Mapping[str, bool | None],
-        read: Callable[[PlacedScalar, str, bool], Value | None],
+        reader: Reader,
         places: dict[tuple[str | int, ...], Place],
     ) -> None:
         """Take what is known of the joints.
@@ -30,11 +31,11 @@ class JointValues:
         Args:
             turns: For each variable whether it is an angle; None where nobody knows, for no row moves by it, or it
                 stands in one that cannot be read.
-            read: Reads a constant angle or length under a key, and tells what is wrong with it.
+            reader: Reads their values.
             places: Where to note the place of each key.
         """
         self.turns = turns
-        self.read = read
+        self.reader = reader
         self.places = places
 
     def limits(self, fields: Fields) -> dict[str, tuple[Value, Value]]:
@@ -96,7 +97,8 @@ class JointValues:
             is_angle = turns[i] if i < len(turns) else None
             value = None
             if scalar is not None:
-                value = self.read(scalar, key, has_unit_of_angle(scalar) if is_angle is None else is_angle)
+                is_angle = has_unit_of_angle(scalar) if is_angle is None else is_angle
+                value = self.reader.value(scalar, key, is_angle=is_angle)
             values.append(value if value is not None else Angle())
         return tuple(values)
 

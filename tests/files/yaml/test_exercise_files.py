@@ -12,8 +12,8 @@ from dhcli.checking.kinds.count import CountQuestion
 from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import FileError, UnknownNameError
+from dhcli.files.library.entries import Kind, full_id
 from dhcli.files.library.kinds import kind_of
-from dhcli.files.library.lookup import Kind, full_id
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.notation.angle import Angle
 from tests.row_by_row import row_by_row
