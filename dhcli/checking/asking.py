@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self
 
 from dhcli.errors import Place
 from dhcli.kinematics.robot import Robot
-from dhcli.notation.brackets import OPENING
+from dhcli.notation.brackets import STEPS
 from dhcli.notation.scope import Scope
 
 if TYPE_CHECKING:
@@ -121,7 +121,7 @@ class Asking(ABC):
 
     def is_whole(self, text: str) -> bool:
         """Whether what was typed so far is plainly complete: its brackets close, and no operand is still to come."""
-        depth = sum((letter in OPENING) - (letter in OPENING.values()) for letter in text)
+        depth = sum(STEPS.get(letter, 0) for letter in text)
         if "\\begin" in text:
             return depth <= 0 and text.count("\\end") >= text.count("\\begin")
         return depth <= 0 and not text.strip().endswith(_GOES_ON)

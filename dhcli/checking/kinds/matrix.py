@@ -18,7 +18,7 @@ from dhcli.checking.wanted import Composed, Wanted, read_wanted
 from dhcli.errors import DhcliError, NotationError, Place, Problem
 from dhcli.frozen import frozen
 from dhcli.kinematics.frames import View
-from dhcli.notation.brackets import OPENING
+from dhcli.notation.brackets import depths
 from dhcli.notation.quantity import DimensionError
 from dhcli.notation.scope import Scope
 from dhcli.notation.writer import write
@@ -113,7 +113,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
             return True
         rows, columns = self.shape
         apart = _outside_brackets(text)
-        return rows - 1 == apart[";"] or (columns == 1 and rows - 1 in apart.values())
+        return rows - 1 == apart.count(";") or (columns == 1 and rows - 1 == apart.count(","))
 
     @property
     def names(self) -> frozenset[str]:
@@ -268,11 +268,6 @@ class MatrixQuestion(Wanted, Question[Entries]):
         return overlaid_matrix(case.exercise, self, reading.value, values)
 
 
-def _outside_brackets(text: str) -> dict[str, int]:
-    """How many commas and semicolons stand outside brackets."""
-    depth, found = 0, {",": 0, ";": 0}
-    for letter in text:
-        depth += (letter in OPENING) - (letter in OPENING.values())
-        if depth == 0 and letter in found:
-            found[letter] += 1
-    return found
+def _outside_brackets(text: str) -> str:
+    """What of a text stands outside brackets."""
+    return "".join(letter for letter, depth in zip(text, depths(text), strict=True) if not depth)
