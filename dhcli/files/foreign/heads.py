@@ -80,7 +80,7 @@ def cells_of(line: str, sign: str) -> list[str]:
     if sign == "&":
         return [cell.replace("$", "").strip() for cell in _LATEX_END.sub("", line).split("&")]
     if sign == " ":
-        return line.split()
+        return line.rstrip(",;").split()
     import csv  # most files are none
 
     return [cell.strip().strip("`$").strip() for cell in next(csv.reader([line], delimiter=sign), [])]

@@ -9,10 +9,10 @@ from dhcli.files.foreign.forms import Form, form_of, told
 from dhcli.files.foreign.kinematics import read_kinematics
 from dhcli.files.foreign.listing import read_listing
 from dhcli.files.foreign.rows import Reader, Whole, robot_of_rows, scope_of
-from dhcli.files.foreign.tables import read_table
+from dhcli.files.foreign.tables import first_row, read_table
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.frozen import frozen
-from dhcli.kinematics.conventions import Convention, convention_hint, conventions_in
+from dhcli.kinematics.conventions import COLUMNS, Convention, convention_hint, conventions_in
 from dhcli.kinematics.describe.asked import Asked
 from dhcli.kinematics.describe.description import describe
 from dhcli.kinematics.robot import Robot
@@ -68,6 +68,10 @@ def import_robot(text: str, source: str, wish: Wish) -> Robot:
             found = read_urdf(text, source, wish.name, base=wish.base, tip=wish.tip, as_typed=wish.as_typed)
         case Form():
             raise FileError(told(form, source))
+        case None if (line := first_row(text)) is not None:
+            message = "are these the rows of a DH table? they have no heads"
+            hint = f"name the columns in a line above, in their order: {', '.join(COLUMNS)}"
+            raise FileError(Problem(message, Place(source, line, None, text.split("\n")[line - 1]), hint))
         case None:
             hint = (
                 "dhcli reads DH tables as CSV, Markdown or LaTeX, SerialLink listings, kinematics YAML of ROS, and URDF"

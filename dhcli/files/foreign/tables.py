@@ -14,6 +14,10 @@ from dhcli.regex import regex
 
 MOST_ROWS = 100
 _RULE = regex(r"[\s|:+=-]+")
+_BRACKETS = regex(r"^[-*] |^[A-Za-z]\w{0,40} ?= ?\[|[\[\](){}]")
+_OPENED = regex(r"(?:- |[A-Za-z]\w{0,40} ?= ?)?\[{1,2}")
+_CLOSED = regex(r"\]{1,2}[,;]?")
+_ROW_PARTS = regex(r"\s*[,;|&\t]\s*|\s+")
 _KINDS = {"r": "R", "revolute": "R", "0": "R", "p": "P", "prismatic": "P", "1": "P", "f": "F", "fixed": "F"}
 _READ = (*COLUMNS, "beta", "offset", "kind")
 
@@ -47,6 +51,18 @@ def read_table(text: str, source: str, units: str = "") -> tuple[Heads, list[Row
     return heads, [_row(cells, place, heads, units) for cells, place in lines]
 
 
+def first_row(text: str) -> int | None:
+    """The number of the first line of a text that is rows of four cells or more without heads; None if it is none."""
+    lines = ((n, _BRACKETS.sub(" ", line.strip()).strip(" ,;")) for n, line in enumerate(text.split("\n"), 1))
+    found = [(n, _ROW_PARTS.split(line)) for n, line in islice(lines, MOST_ROWS) if line and line[0] not in "#%"]
+    rows = [row for _, row in found]
+    widths = {len(row) for row in rows}
+    if len(widths) != 1 or not len(COLUMNS) <= widths.pop() <= len(_READ) + 1:
+        return None
+    has_numbers = all(sum(cell[-1:].isdigit() or cell[-1:] == "°" for cell in row) >= len(COLUMNS) - 1 for row in rows)
+    return found[0][0] if has_numbers else None
+
+
 def _without_numbers(heads: Heads, rows: Sequence[Sequence[str]]) -> Heads:
     """The heads, of which a first one over the numbers of the rows says nothing; it may be missing, too."""
     if all(len(cells) == len(heads.columns) + 1 for cells in rows) and _are_numbers([cells[0] for cells in rows]):
@@ -66,15 +82,29 @@ def _are_numbers(texts: Sequence[str]) -> bool:
 
 
 def _lines(text: str, source: str, heads: Heads) -> Iterator[tuple[list[str], Place]]:
-    """The cells of each row, and where it stands."""
+    """The cells of each row, and where it stands; each row, or all of them, may stand in brackets."""
+    depth = 0
     for number, line in enumerate(text.split("\n")[heads.line :], heads.line + 1):
         stripped = line.strip()
         if (heads.sign == "|" and "|" not in stripped) or stripped.startswith("\\end"):
             return  # the table of a page has ended
+        before, (bare, depth) = depth, _without_brackets(stripped, depth)
         is_between = heads.sign == "&" and "&" not in stripped  # \hline
-        if not stripped or is_between or stripped.startswith("#") or _RULE.fullmatch(stripped):
-            continue
-        yield cells_of(line, heads.sign), Place(source, number, 1, line)
+        if not (not bare or is_between or stripped.startswith("#") or _RULE.fullmatch(stripped)):
+            yield cells_of(bare if bare != stripped else line, heads.sign), Place(source, number, 1, line)
+        if before and not depth:
+            return  # the list of rows has ended
+
+
+def _without_brackets(row: str, depth: int) -> tuple[str, int]:
+    """A row without the brackets of lists in YAML, Python and MATLAB around it, and how many are open behind it."""
+    behind = depth + row.count("[") - row.count("]")
+    opened, bare = _OPENED.match(row), row
+    if not 0 <= behind <= 1 or (not depth and opened is None):
+        return row, depth
+    bare = row[opened.end() :] if opened else row
+    closed = next((match for match in _CLOSED.finditer(bare) if match.end() == len(bare)), None)
+    return (bare[: closed.start()] if closed else bare).strip(), behind
 
 
 def _row(cells: list[str], place: Place, heads: Heads, units: str) -> RowText:

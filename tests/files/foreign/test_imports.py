@@ -312,6 +312,32 @@ def test_a_fifth_column_makes_a_calibrated_arm(convention: str) -> None:
     assert gap(robot, [0.3, 0.5], expected) < 1e-15
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "theta d a alpha\nq1 0.1 0.4 0;\nq2 0 0.3 pi/2;\n",
+        "theta, d, a, alpha\n- [q1, 0.1, 0.4, 0]\n- [q2, 0, 0.3, pi/2]\n",
+        "# theta, d, a, alpha\ndh = [[q1, 0.1, 0.4, 0],\n      [q2, 0, 0.3, pi/2]]\nprint(dh)\n",
+        "%  theta  d   a   alpha\nDH = [ q1 0.1 0.4 0;\n       q2 0   0.3 pi/2 ];\nrobot = made(DH);\n",
+        "% theta d a alpha\nDH = [\n  q1 0.1 0.4 0\n  q2 0 0.3 pi/2\n];\n",
+    ],
+)
+def test_rows_may_stand_in_brackets_as_programs_have_them(text: str) -> None:
+    """Below a line with their heads, which may be a comment; what comes behind the list is no row."""
+    robot = imported(text, convention="standard")
+    expected = standard(0.3, 0.1, 0.4, 0) @ standard(0.5, 0, 0.3, math.pi / 2)
+    assert gap(robot, [0.3, 0.5], expected) < 1e-15
+
+
+@pytest.mark.parametrize(
+    "text", ["0.4 0 0 q1\n0.3 0 0 q2", "# arm\n- [a1, 0, 0, q1]\n", "DH = [0 0.1 0.4 pi/2;\n 1 0 0.3 1];"]
+)
+def test_rows_without_heads_are_told(text: str) -> None:
+    """Nobody knows which column is which."""
+    with pytest.raises(FileError, match=r"rows of a DH table. they have no heads .name the columns in a line above"):
+        imported(text, convention="standard")
+
+
 def test_rows_of_numbers_get_the_joints_that_are_said() -> None:
     """By an offset column and kinds, or by letters; what stands in the cell is added."""
     robot = imported("theta,d,a,alpha,offset,type\nq1,0,1,1.5708 rad,90deg,R\n0,q2,0,0,0.1,P", convention="standard")
