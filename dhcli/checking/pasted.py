@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from dhcli.checking.lists import closing
+from dhcli.notation.brackets import closing
 from dhcli.notation.commas import Shape
 from dhcli.notation.pasted import EntriesError, rows_of
 from dhcli.notation.pasted import without_label as _without_label
