@@ -35,6 +35,7 @@ _HEAD = regex(
 """`(x, y, z) =` before the numbers."""
 _DRESS = regex(r"\\d?dot|\\mathrm|\\text|dot|/dt|[\\{}_'’\u0307 ]")  # noqa: RUF001
 _TAIL = regex(r"(?P<head>.*?)(?P<tail>[wxyz]|\d{1,2})")
+_SEPARATED = regex(r"[,;]")
 _DECIMAL_COMMA = regex(r"\d,\d")
 _BEHIND = (" the", " and", "\\\\")
 """What stands between a number and the next name, besides separators."""
@@ -126,7 +127,8 @@ def _arranged(pairs: Sequence[tuple[str, str]], namings: Sequence[Naming]) -> st
             values = [pairs[places.index(k)][1] for k in range(len(naming))]
             between = "; " if any(map(_DECIMAL_COMMA.search, values)) else ", "
             return between.join(values)
-        if places and not missing and list(places) != list(range(len(places))):  # `x = 1, y = 2, 3` is in order
+        is_begun = list(places) == list(range(len(places))) and bool(_SEPARATED.search(pairs[-1][1]))
+        if places and not missing and not is_begun:  # `x = 1, y = 2, 3` is in order
             twice = next((pairs[i][0] for i, place in enumerate(places) if place in places[:i]), "")
             absent = [name for k, name in enumerate(naming) if k not in places]
             missing = f"{twice} stands there twice" if twice else f"{', '.join(absent)} {are(len(absent))} missing"
