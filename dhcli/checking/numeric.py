@@ -160,7 +160,8 @@ def _cell(  # noqa: PLR0913, PLR0917  everything an entry is judged by
         enough = (typed_decimals(number) or 0) >= tolerance.decimals
         if enough and is_rounding_of(number, right / unit, least=0):
             verdict = Verdict.RIGHT
-    counted = not truth.is_structural(row, column)
+    is_zero = is_length(question, row, column) and judge(0.0, right, limit) is Verdict.RIGHT  # at the values given
+    counted = not (is_zero or truth.is_structural(row, column))
     return CellMark(row, column, verdict, entry.text, rounded(right / scale), counted=counted)
 
 
@@ -186,7 +187,7 @@ def _is_exact(truth: Truth, entries: Entries, exercise: Exercise) -> bool:
 
 
 def _matters(cell: CellMark) -> bool:
-    """Whether an entry counts: those that are the same for everybody only where they are wrong."""
+    """Whether an entry counts: zeros and what is the same for everybody only where they are wrong."""
     return cell.counted or cell.verdict is not Verdict.RIGHT
 
 

@@ -81,7 +81,7 @@ def _agreeing(exercise: Exercise, right: Grid, entries: Entries) -> dict[Place, 
     numbers: dict[Place, tuple[Expr, float]] = {}
     for r, row in enumerate(entries):
         for c, entry in enumerate(row):
-            if not right.is_same_for_all(r, c):
+            if not right.only_costs(r, c):
                 number, unit = without_unit(entry.typed, scale_of(exercise, right.powers[r][c]))
                 numbers[r, c] = number, truth[r][c] / unit
     return agreeing(numbers)
@@ -95,7 +95,7 @@ def _in_symbols(exercise: Exercise, right: Grid, entries: Entries) -> tuple[Cell
     shown = right.on_sheet(exercise)
 
     def cell(entry: Entry, r: int, c: int) -> CellMark:
-        truth, counted = right.rows[r][c], not right.is_same_for_all(r, c)
+        truth, counted = right.rows[r][c], not right.only_costs(r, c)
         expected, note = write(shown[r][c], "short", exercise.writing), ""
         verdict = Verdict.WRONG
         read = partial(as_read, exercise, right.powers[r][c])
@@ -125,15 +125,18 @@ def mark_numbers(case: Case, exercise: Exercise, right: Grid, entries: Entries) 
             verdict = Verdict.RIGHT
         elif verdict is not Verdict.RIGHT and agree.get((r, c)):
             verdict = Verdict.ROUNDED
-        counted = not right.is_same_for_all(r, c)
+        is_zero = judge(0.0, truth[r][c], limits[r][c]) is Verdict.RIGHT  # at these values, if not at all
+        counted = not (is_zero or right.only_costs(r, c))
         return CellMark(r, c, verdict, entry.text, typed(truth[r][c], scale, limits[r][c]), counted=counted)
 
     return tuple(cell(entry, r, c) for r, row in enumerate(entries) for c, entry in enumerate(row))
 
 
 def _earned(cells: Sequence[CellMark], *, numeric: bool) -> float:
-    """Share of the credit: that of the entries which are not the same for everybody; others only cost something."""
-    counted = [cell for cell in cells if cell.counted] or list(cells)
-    right = sum(cell.verdict in AGREEING for cell in counted)
+    """Share of the credit: that of the entries which show work; others only cost something."""
+    right = sum(cell.counted and cell.verdict in AGREEING for cell in cells)
+    counted = sum(cell.counted for cell in cells)
     spoiled = sum(not cell.counted and cell.verdict not in AGREEING for cell in cells)
-    return right / (len(counted) + spoiled) if numeric else max(0, right - spoiled) / len(counted)
+    if not counted:
+        return float(not spoiled)
+    return right / (counted + spoiled) if numeric else max(0, right - spoiled) / counted
