@@ -40,7 +40,7 @@ _COUNTED = regex(
     r"(?P<number>[a-z]{1,9}|\d{1,9})(?:\.0{1,9})?"
     r"(?:\s{1,9}(?P<behind>d\.?o\.?f\.?s?|degrees? of freedom"
     r"|(?:link|joint|freedom|constraint|solution|way|posture|branch)(?:e?s)?))?"
-    r"\s{0,9}(?:\((?=[^()]{0,60}[A-Za-z]{2})[^()]{0,60}\)\s{0,9})?\.?\s{0,9}",
+    r"\s{0,9}(?:\((?![^()]{0,60}(?:\d|\bor\b))[^()]{2,60}\)\s{0,9})?\.?\s{0,9}",
     re.IGNORECASE,
 )
 """A whole number, what it counts, and a remark in brackets, `2 (elbow up and down)`."""

@@ -75,6 +75,7 @@ def test_the_first_side_has_all_digits_and_the_last_the_unit(text: str, meant: s
         (REACH, "outside", "Nope", Verdict.RIGHT),
         (REACH, "outside", "reach = no", Verdict.RIGHT),
         (REACH, "hole", "yeah, r=0.07", Verdict.WRONG),
+        (REACH, "inside", "reachable, no problem", Verdict.RIGHT),
         ("motion/puma560-rank-in-numbers", "wrist", "rank 2", Verdict.RIGHT),
         ("motion/puma560-rank-in-numbers", "wrist", "the rank is 2", Verdict.RIGHT),
         ("motion/planar-jacobian", "singular", "when theta2 is 0 or 180 degrees", Verdict.RIGHT),
@@ -85,3 +86,30 @@ def test_answers_with_words_around_them_are_judged(exercise: str, part: str, ans
     """As a person says them; what cannot be is no answer."""
     found = check(load_exercise(exercise), part, answer)
     assert found.verdict is verdict, found.remarks
+
+
+@row_by_row(
+    ("exercise", "part", "answer"),
+    [
+        (COUNTS, "links", "7 or 6"),
+        (COUNTS, "links", "7 (or 6)"),
+        (COUNTS, "links", "7 (not 6)"),
+        (COUNTS, "links", "7, 6"),
+        (COUNTS, "links", "not 7"),
+        (COUNTS, "links", "joints = 7"),
+        (REACH, "ways", "2 or 1"),
+        (REACH, "ways", "2 (or 1)"),
+        (REACH, "inside", "yes, no"),
+        (REACH, "inside", "no wait, yes"),
+        (REACH, "inside", "not yes"),
+        (REACH, "inside", "y/n"),
+        ("yim/planar-two-links", "blocks", "1 or 2"),
+        (SCARA, "height", "280 or 520"),
+        (SCARA, "height", "±280"),
+        ("motion/planar-jacobian", "determinant", "±a1*a2*s2"),
+        ("inverse/planar-joints-in-numbers", "down", "2.48, 67.98 or 59.45, -67.98"),
+    ],
+)
+def test_two_answers_are_none(exercise: str, part: str, answer: str) -> None:
+    """Whoever says both has not chosen, and whoever names another thing has not said this one."""
+    assert check(load_exercise(exercise), part, answer).verdict is Verdict.CANNOT_READ

@@ -29,7 +29,8 @@ WORDS = {
     **dict.fromkeys(("no", "n", "nope", "false", "unreachable", "not reached", "not reachable"), False),
 }
 _COUNTED = ("solution", "way", "posture", "branch")
-_BOTH = regex(r"\s*(?:yes|no)\s*(?:and|or|/)\s*(?:yes|no)\b.*", re.DOTALL | re.IGNORECASE)
+_PLAIN = regex(r"\b(?:yes|yep|yeah|nope|true|false|y|n|no(?!t?\s+(?:problem|doubt|matter)))\b", re.IGNORECASE)
+"""Words of which one answer has those of one side only."""
 _WORD = regex(r"\s*(?:it(?:'s| is) )?(?P<word>not reach(?:ed|able)|[a-z]+)\b.*", re.DOTALL | re.IGNORECASE)
 
 
@@ -180,7 +181,8 @@ class ReachQuestion(GoalQuestion[bool]):
 
 
 def _word(text: str) -> str:
-    """The word of an answer that is yes or no; empty where it begins with another one."""
-    match = None if _BOTH.fullmatch(text) else _WORD.fullmatch(text)
+    """The word of an answer that is yes or no; empty where it begins with another one, or has both of them."""
+    match = _WORD.fullmatch(text)
     word = match["word"].lower() if match else ""
-    return word if word in WORDS else ""
+    said = {WORDS[one.lower()] for one in _PLAIN.findall(text)}
+    return word if word in WORDS and len(said) < 2 else ""  # noqa: PLR2004
