@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
 from itertools import product as every
@@ -26,6 +27,9 @@ from dhcli.regex import regex
 
 _BETWEEN = regex(r"(,|;|\n|\bor\b|\u2228|\band\b|&+|∧)")
 _AND = regex(r"and|&+|∧")
+_WHEN = regex(r"\A\s{0,9}(?:when(?:ever)?|if|where|for|at|singular (?:when|if|for|at))\b\s{0,9}", re.IGNORECASE)
+_IS = regex(r"(?<=[\w)])\s{1,9}(?:is|equals)\s{1,9}(?=[-+\d.kn±]|pi|π)")
+"""`when theta2 is 0 or 180 degrees`."""
 _TURNS = regex(r"(?P<first>.*?)[+±]?\s*\b[knm]\s*[*·]?\s*(?:180(?:\s*°|\s*deg)?|pi|π)")
 """`k*180°`, `90° + n*pi`: half turns as often as one likes."""
 _EITHER = regex(
@@ -89,7 +93,7 @@ def read_conditions(text: str, exercise: Exercise, place: Place | None, *, joine
         raise UnreadableError(f"an answer of more than {LONGEST} characters is not read")
     if text.strip().lower() in ("never", "nowhere"):
         return ()
-    text = _THAT_IS.sub(", ", _WHOLE.sub("", text))
+    text = _THAT_IS.sub(", ", _WHOLE.sub("", _IS.sub(" = ", _WHEN.sub("", text))))
     text = _ONE_OF.sub(lambda one: f" = {' or '.join(one['values'].split(','))}", text.strip())
     _check_values(text, exercise)
     found: list[Condition] = []
