@@ -24,6 +24,9 @@ limits: {theta1: [-160°, 160°], d2: [0, 250 mm], theta4: [-90°, 90°]}
 poses: {home: [0, 0.1, 0, 20°]}
 """
 
+BY_ROW = "whether it turns or slides is said by the row in which it stands"
+OTHERS = "theta1: [-160°, 160°], d2: [0, 250 mm]"
+
 
 def told(*changes: tuple[str, str]) -> list[str]:
     """What is told of the arm with these changes, each with its line."""
@@ -59,6 +62,55 @@ def test_a_cell_of_a_row_that_is_a_list_is_judged_too() -> None:
         "10: links: row 3 should be a mapping",
         "10: alpha: the angle 90 has no unit",
     ]
+
+
+@row_by_row(
+    ("old", "new", "said"),
+    [
+        (
+            "{a: 0, alpha: 0, d: d2, theta: 0}",
+            "{a: 0, alpha: 0, d: d2, theta: 0, offset: 1}",
+            "9:39: offset: unknown key (add it in its cell: theta: theta1 + 90°)",
+        ),
+        (
+            "{a: 0, alpha: 0, d: d2, theta: 0}",
+            "{a: 0, alpha: 0, d: d2, theta: 0, type: P}",
+            "9:39: type: unknown key (a joint turns by a variable in theta, and slides by one in d)",
+        ),
+        (
+            "d: 0, theta: theta1}",
+            "d: 0, theta1}",
+            "8:29: theta1: its key is missing (write theta: theta1)",
+        ),
+        (
+            "variables: [theta1, d2, theta3, theta4]",
+            "variables: [theta1, {d2: prismatic}, theta3, theta4]",
+            f"5:21: variables: a name stands alone (write d2; {BY_ROW})",
+        ),
+        (
+            "{theta1: [-160°, 160°], d2: [0, 250 mm], theta4: [-90°, 90°]}",
+            "[[-160°, 160°], [0, 250 mm], [0, 9°], [0, 1°]]",
+            f"12:1: limits: should be a mapping, is a list (write {{{OTHERS}, theta3: [0, 9°], theta4: [0, 1°]}})",
+        ),
+        ("[-90°, 90°]", "-90° - 90°", "12:58: theta4: should be a list, is a text (write [-90°, 90°])"),
+        ("[-90°, 90°]", "{max: 90°, min: -90°}", "12:58: theta4: should be a list, is a mapping (write [-90°, 90°])"),
+        (
+            "poses: ",
+            "tool: {x: 0.1, z: 20 mm, yaw: 90°}\nposes: ",
+            "13:7: tool: should be moves, is a mapping (write Trans(0.1, 0, 20 mm) rpy(0, 0, 90°))",
+        ),
+        (
+            "poses: ",
+            "tool: {x: 0.1, mass: 2}\nposes: ",
+            "13:7: tool: should be moves, is a mapping (write Trans(0, 0, 0.1) Rot(z, 90°))",
+        ),
+    ],
+)
+def test_what_stands_in_the_shape_of_another_program_is_shown_in_ours(old: str, new: str, said: str) -> None:
+    """With what the author has written, and nothing follows from it."""
+    with pytest.raises(FileError) as caught:
+        read_robot(ARM.replace(old, new), "arm", "arm")
+    assert str(caught.value) == f"arm:{said}"
 
 
 def test_the_arm_itself_is_right() -> None:
