@@ -74,6 +74,16 @@ class Problems:
                 would mislead.
         """
         known = tuple(known)
+        if isinstance(root, PlacedMapping) and len(root.entries) == 1:
+            (key, below) = root.entries[0]
+            if (
+                key.text not in known
+                and isinstance(below, PlacedMapping)
+                and len({k.text for k, _ in below.entries} & {*known}) > 1
+            ):
+                message = f"{key.text}: what stands below it belongs at the top of the file"
+                self.add(key.place, message, "take this line out, and the blanks before the others")
+                root = below
         if isinstance(root, PlacedMapping):
             for key, value in root.entries:
                 if key.text == "format":

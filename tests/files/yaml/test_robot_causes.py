@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from dhcli.errors import FileError
+from dhcli.files.library.entries import Kind
+from dhcli.files.library.kinds import kind_of
 from dhcli.files.yaml.robots import read_robot
 from tests.row_by_row import row_by_row
 
@@ -111,6 +115,25 @@ def test_what_stands_in_the_shape_of_another_program_is_shown_in_ours(old: str, 
     with pytest.raises(FileError) as caught:
         read_robot(ARM.replace(old, new), "arm", "arm")
     assert str(caught.value) == f"arm:{said}"
+
+
+def test_a_robot_below_a_key_of_its_own_is_told_in_one_line() -> None:
+    """And looked at as if it stood at the top."""
+    inner = "".join(f"  {line}\n" for line in ARM.replace("d: d2", "d: d9").splitlines())
+    with pytest.raises(FileError) as caught:
+        read_robot(f"robot:\n{inner}", "arm", "arm")
+    assert [str(problem).partition(" (")[0] for problem in caught.value.problems] == [
+        "arm:1:1: robot: what stands below it belongs at the top of the file",
+        "arm:10:27: d9 is not a name that is known here",
+    ]
+
+
+def test_joints_for_variables_make_no_linkage_of_a_robot(tmp_path: Path) -> None:
+    """A file with a convention is one of a robot."""
+    path = tmp_path / "arm.yaml"
+    path.write_text(ARM.replace("variables:", "joints:"), "utf-8")
+    assert kind_of(str(path)) is Kind.ROBOTS
+    assert told(("variables:", "joints:")) == ["5: joints: unknown key"]
 
 
 def test_the_arm_itself_is_right() -> None:
