@@ -11,7 +11,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.checking.blanks import refuse_one_expression
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.named import XYZ, in_order
-from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, refuse_long, without_label
+from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, refuse_long, without_label, without_words
 from dhcli.checking.truth import is_length, names_of
 from dhcli.checking.units import has_length_unit, length_in_metres
 from dhcli.checking.vectors import as_column
@@ -64,6 +64,7 @@ def read_entries(question: Wanted, exercise: Exercise, text: str, place: Place |
     """
     refuse_long(text)
     body = in_order(text, (XYZ,), exercise.scope) if question.shape == (3, 1) else text
+    body = without_words(body, exercise.scope) if question.shape != (1, 1) else body
     body = without_label(as_matrix(body, question.shape), question.shape)
     refuse_blanks(body)
     if _MOVES.match(body):

@@ -211,7 +211,7 @@ def test_a_robot_has_exactly_these_keys(dhcli: Run) -> None:
         *("parameters", "poses", "base", "tool", "tools", "actuators"),
     }
     assert set(data["links"][0]) == {"number", "a", "alpha", "d", "theta"}
-    assert set(data["joints"][0]) == {"name", "kind", "link", "limits"}
+    assert set(data["joints"][0]) == {"name", "kind", "link", "called", "limits"}
 
 
 @row_by_row("name", app.COMMANDS)

@@ -20,6 +20,7 @@ from dhcli.checking.returned import Causes, Matrices, Overlaid, Points, Reading,
 from dhcli.checking.tables.comparing import END
 from dhcli.checking.tables.typed_rows import TypedRow
 from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
+from dhcli.checking.whole import is_closed
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention, Row
@@ -92,9 +93,9 @@ class FramesQuestion(Question[Answer]):
     def pose_drawn(self, exercise: Exercise) -> Values:
         return sketch_of(exercise, self.convention, self.pose).joint_values
 
-    def is_whole(self, text: str) -> bool:
+    def is_whole(self, text: str, _blank: tuple[int, int]) -> bool:
         *_, last = text.strip().splitlines() or [""]
-        return Question.is_whole(self, text) and (text.strip().startswith("[") or len(rows_of(last)) > 1)
+        return is_closed(text) and (text.strip().startswith("[") or len(rows_of(last)) > 1)
 
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
         lengths = needed(exercise.robot).parameters if exercise.numeric else ()

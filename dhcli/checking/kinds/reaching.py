@@ -142,7 +142,7 @@ class ReachQuestion(GoalQuestion[bool]):
         limits = " within the limits of the joints" if self.within_limits else ""
         return f"whether the arm reaches this{limits}, yes or no: {self.target.words(exercise)}"
 
-    def is_whole(self, text: str) -> bool:
+    def is_whole(self, text: str, _blank: tuple[int, int]) -> bool:
         return text.strip().lower() in WORDS
 
     def expected(self, case: Case, _style: str = "short") -> str:

@@ -12,6 +12,7 @@ from dhcli.checking.kinds.linked import needed
 from dhcli.checking.returned import Causes, Judged, Matrices, Overlaid, Points, Reading, Shown
 from dhcli.checking.tables.typed_rows import TypedRow, read_table
 from dhcli.checking.verdicts import Mark
+from dhcli.checking.whole import ends_in_bracket, is_closed
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
@@ -75,10 +76,10 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         if exercise.numeric and robot.variables:
             yield f"in the cell that a joint changes stands its variable: {', '.join(robot.variables)}"
 
-    def is_whole(self, text: str) -> bool:
+    def is_whole(self, text: str, _blank: tuple[int, int]) -> bool:
         *_, last = text.strip().splitlines() or [""]
-        in_one_line = ";" in last.rstrip("; ")
-        return Question.is_whole(self, text) and (text.strip().startswith("[") or "\\end" in text or in_one_line)
+        is_bracketed = text.strip().startswith("[") or ends_in_bracket(text)
+        return is_closed(text) and (is_bracketed or "\\end" in text or ";" in last.rstrip("; "))
 
     def expected(self, case: Case, _style: str = "short") -> str:
         from dhcli.checking.tables.marking import write_table

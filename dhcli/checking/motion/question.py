@@ -22,6 +22,7 @@ from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.symbolic import same
 from dhcli.checking.verdicts import Mark
+from dhcli.checking.whole import is_whole_matrix
 from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
@@ -112,6 +113,10 @@ class MotionQuestion(Question[Entries]):
         """The entries in the shape of the right answer."""
         names = self.numbers_named(case)
         return read_cells(case.exercise, self.right(case).powers, text, place, self.units(case), names)
+
+    def is_whole(self, text: str, blank: tuple[int, int]) -> bool:
+        """All rows, or all numbers of a column."""
+        return is_whole_matrix(text, blank)
 
     def units(self, _case: Case) -> tuple[str, ...]:
         """The unit of each number, for a list of rates or forces."""

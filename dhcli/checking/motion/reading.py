@@ -12,7 +12,7 @@ from dhcli.checking.entries import Entries, Entry, check_names, count_remark
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.lists import flat, in_square_brackets
 from dhcli.checking.named import Naming, in_order
-from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, refuse_long, without_label
+from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, refuse_long, without_label, without_words
 from dhcli.checking.units import has_length_unit, length_in_metres
 from dhcli.checking.vectors import LENGTHS, as_column, column_of_rows
 from dhcli.errors import NotationError, Place
@@ -66,7 +66,9 @@ def read_cells(
         names,
         tuple(str(k + 1) for k in range(len(names))),
     )  # of the entries of a column the second gives the rows
-    body = without_label(as_matrix(in_order(text, namings, exercise.scope), shape), shape)
+    body = in_order(text, namings, exercise.scope)
+    body = without_words(body, exercise.scope) if shape != (1, 1) else body
+    body = without_label(as_matrix(body, shape), shape)
     _check_units(body, units, exercise)
     body = _without_units(body, powers, exercise)
     refuse_blanks(body)

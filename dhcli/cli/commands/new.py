@@ -55,8 +55,8 @@ def robot(
         typer.Option(
             "--from",
             metavar="FILE",
-            help="Make it of this: a DH table as CSV, Markdown or LaTeX, a listing with SerialLink or DHRobot, "
-            "kinematics YAML of ROS, or a URDF; - is stdin.",
+            help="Make it of this: a DH table as CSV, Markdown, LaTeX, YAML or JSON, a listing with SerialLink or "
+            "DHRobot, kinematics YAML of ROS, or a URDF; - is stdin.",
         ),
     ] = None,
     units: Annotated[

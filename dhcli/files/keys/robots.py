@@ -31,6 +31,12 @@ _OF_EVERY_ROBOT = (
     Key("exact", "false: 1.5708 stays what it is; else it is taken as 90°", FLAG, example="exact: false"),
     Key("variables", "the joint variables in order", Many(TEXT), is_required=True, example="variables: [theta1, d2]"),
     Key(
+        "called",
+        "what joints are called elsewhere, such as in a URDF; joint values may have these names too",
+        Named(TEXT),
+        example="called: {theta1: shoulder_pan_joint}",
+    ),
+    Key(
         "parameters",
         "values of all other names, or formulas of others; without a value one stays open",
         Named(Scalar(may_be_empty=True)),

@@ -1,4 +1,4 @@
-"""Values of joints in a robot file: the keys `limits` and `poses`."""
+"""What a robot file says of its joints by name: the keys `limits`, `poses` and `called`."""
 
 from __future__ import annotations
 
@@ -42,11 +42,8 @@ class JointValues:
         """The lowest and the highest value of joints, as far as they can be read."""
         found = {}
         for key in fields.entries:
-            self.places["limits", key] = fields.place_of(key)
-            name = next((name for name in self.turns if canonical(name) == canonical(key)), "")
-            if not name and self.turns:
-                message = f"limits: {key} is not a joint variable"
-                fields.problems.add(fields.place_of(key), message, did_you_mean(key, self.turns))
+            name = self._variable(fields, "limits", key)
+            if name is None:
                 continue
             turns = self.turns.get(name)
             low = {True: f"-{_ANGLE}", False: "0", None: "lowest"}[turns]
@@ -56,8 +53,16 @@ class JointValues:
             if values is not None and len(values) != 2:  # noqa: PLR2004  lowest and highest
                 fields.problems.add(fields.place_of(key), f"{key}: two values are wanted", f"write [{low}, {high}]")
             if values is not None and len(fields.problems.found) == before:
-                self.places["limits", name] = fields.place_of(key)
-                found[name or key] = (values[0], values[1])
+                found[name] = (values[0], values[1])
+        return found
+
+    def called(self, fields: Fields) -> dict[str, str]:
+        """What joints are called elsewhere."""
+        found = {}
+        for key in fields.entries:
+            name, scalar = self._variable(fields, "called", key), fields.scalar(key)
+            if name is not None and scalar is not None and scalar.text.strip():
+                found[name] = scalar.text.strip()
         return found
 
     def poses(self, fields: Fields) -> dict[str, tuple[Value, ...]]:
@@ -69,6 +74,16 @@ class JointValues:
             if values is not None:
                 found[key] = values
         return found
+
+    def _variable(self, fields: Fields, section: str, key: str) -> str | None:
+        """The joint variable that a key means; where there are variables, another key is told, and is None."""
+        name = next((name for name in self.turns if canonical(name) == canonical(key)), "")
+        if not name and self.turns:
+            message = f"{section}: {key} is not a joint variable"
+            fields.problems.add(fields.place_of(key), message, did_you_mean(key, self.turns))
+            return None
+        self.places[section, name or key] = fields.place_of(key)
+        return name or key
 
     def _list(self, fields: Fields, key: str, turns: Sequence[bool | None], example: str) -> tuple[Value, ...] | None:
         """Values of joints, 0 where one cannot be read; None where there is no list."""

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from dhcli.errors import Place
 from dhcli.files.keys.robots import CONVENTIONS
 from dhcli.files.keys.shapes import ROW, required
 from dhcli.files.yaml.fields import Fields
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode
 from dhcli.files.yaml.reader import Reader
+from dhcli.files.yaml.slips import row_of
 from dhcli.files.yaml.typed import read_moves
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, calibrated_moves, convention_hint, moves_of
 from dhcli.kinematics.derived import Value
@@ -27,17 +30,25 @@ class Links:
         columns: The columns of a table, in the order of its first row.
     """
 
-    def __init__(self, fields: Fields, reader: Reader, places: dict[tuple[str | int, ...], Place]) -> None:
+    def __init__(
+        self,
+        fields: Fields,
+        reader: Reader,
+        places: dict[tuple[str | int, ...], Place],
+        variables: Sequence[str],
+    ) -> None:
         """Read from the fields of a file.
 
         Args:
             fields: Those at its top.
             reader: Reads what stands in the links.
             places: Where to note the place of each link and cell.
+            variables: Those that the file lists.
         """
         self.fields = fields
         self.reader = reader
         self.places = places
+        self.variables = variables
         self.convention = Convention.PRODUCT
         self.columns: tuple[str, ...] = COLUMNS
         self._has_beta = False
@@ -67,9 +78,13 @@ class Links:
             scalar = read_moves(problems, node, "links")
             return Link(number, self.reader.moves(scalar), None, scalar.text) if scalar else Link(number, ())
         if not isinstance(node, PlacedMapping):
-            message = f"links: row {index + 1} should be a mapping"
-            problems.add(node.place, message, f"write {self._example}, or convention: product for moves")
-            return Link(number, ())
+            meant, shown = row_of(node, self.variables)
+            hint = f"write {shown}, if its cells are these" if shown else ""
+            hint = hint or f"write {self._example}, or convention: product for moves"
+            problems.add(node.place, f"links: row {index + 1} should be a mapping", hint)
+            if not meant.entries:
+                return Link(number, ())
+            node = meant
         fields = problems.mapping(node, "links", known=(*COLUMNS, "beta"), required=required(ROW))
         if len(fields.entries) == len(COLUMNS) and index == 0:
             self.columns = tuple(fields.entries)

@@ -55,7 +55,7 @@ class Loader:
         self.scope = Scope(lengths=known, is_open="variables" not in self.fields)
         keeps_digits = "exact" in self.fields and not read_flag(self.fields, "exact")
         self.reader = Reader(self.problems, self.scope, None if keeps_digits else [], self.read_unit())
-        self.links = Links(self.fields, self.reader, self.places)
+        self.links = Links(self.fields, self.reader, self.places, self.variables)
         self.clear: frozenset[str] = frozenset()
         self.doubtful: frozenset[str] = frozenset()
 
@@ -116,6 +116,7 @@ class Loader:
             "first": first,
             "limits": values.limits(self.fields.mapping("limits", example="{theta1: [-160°, 160°]}")),
             "poses": self.read_poses(values),
+            "called": values.called(self.fields.mapping("called", example="{theta1: shoulder_pan_joint}")),
             "columns": self.links.columns,
             "derived": reader.formulas,
             "remarks": tuple(dict.fromkeys(self.reader.remarks or ())),

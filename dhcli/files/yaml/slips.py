@@ -5,13 +5,14 @@ It is told all the same, with what would be right, and then read as it was meant
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import accumulate, pairwise
 from typing import TypeAlias
 
 from dhcli.files.yaml.cut import is_piece
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
+from dhcli.kinematics.conventions import COLUMNS
 from dhcli.notation.brackets import OPENING, STEPS, split
 from dhcli.regex import regex
 from dhcli.safe import yaml_scalar
@@ -98,6 +99,26 @@ def items_of(node: PlacedNode, count: int = 0, *, are_names: bool = False) -> tu
         return (node,), _shown([yaml_scalar(node.text) if "," in node.text else node.text], "[]")
     items = tuple(PlacedScalar(piece, node.place_of(at)) for at, piece in pieces)
     return items, _shown((item.text for item in items), "[]")
+
+
+def row_of(node: PlacedNode, variables: Sequence[str]) -> tuple[PlacedMapping, str]:
+    """The row of a table that is a list of its cells, `[a1, 0, 0, theta1]`, and that row as it is written with keys.
+
+    Its columns are those of the standard order, or of the one that begins with theta, by where the variable stands.
+
+    Returns:
+        Nothing where it has not four cells, or nobody knows what the variables are.
+    """
+    cells = (
+        items_of(node)[0] if isinstance(node, PlacedScalar) else node.items if isinstance(node, PlacedSequence) else ()
+    )
+    scalars = [cell for cell in cells if isinstance(cell, PlacedScalar)]
+    if not variables or not len(cells) == len(scalars) == len(COLUMNS):
+        return PlacedMapping((), node.place), ""
+    moves = next((k for k, cell in enumerate(scalars) if any(name in cell.text for name in variables)), len(COLUMNS))
+    columns = COLUMNS if moves > 1 else ("theta", "d", "a", "alpha")
+    entries = tuple((PlacedScalar(key, cell.place), cell) for key, cell in zip(columns, scalars, strict=True))
+    return PlacedMapping(entries, node.place), _shown((f"{key.text}: {cell.text}" for key, cell in entries), "{}")
 
 
 def blanks_between(node: PlacedSequence, count: int) -> tuple[tuple[PlacedScalar, ...], str]:

@@ -144,6 +144,9 @@ def _head(robot: Robot, convention: str) -> Iterator[str]:
     yield ""
     yield f"convention: {convention}"
     yield f"variables: [{', '.join(map(cell, robot.variables))}]"
+    if robot.called:
+        yield "called:"
+        yield from (f"  {cell(name)}: {yaml_scalar(own)}" for name, own in robot.called.items())
 
 
 def _parameters(robot: Robot) -> Iterator[str]:

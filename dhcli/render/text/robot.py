@@ -120,6 +120,7 @@ def _joint_content(robot: Robot, joint: Joint) -> dict[str, Any]:
         "name": joint.name,
         "kind": joint.kind,
         "link": joint.link,
+        "called": robot.called.get(joint.name),
         "limits": None if limits is None else [in_units(limit) for limit in limits],
     }
 
@@ -180,15 +181,16 @@ def _underlined(cell: str, robot: Robot, paper: Paper) -> Inked:
 
 
 def _joints(robot: Robot, look: Look) -> str:
-    if not robot.limits:
+    """The limits of the joints, and what they are called elsewhere."""
+    heads = (["called"] if robot.called else []) + (["from", "to"] if robot.limits else [])
+    if not heads:
         return ""
     rows = []
     for joint in robot.joints:
-        low, high = (
-            (in_degrees(limit) for limit in robot.limits[joint.name]) if joint.name in robot.limits else ("", "")
-        )
-        rows.append([joint.name, low, high])
-    return table_text(["limits", "from", "to"], rows, look.paper)
+        limits = map(in_degrees, robot.limits.get(joint.name, ()))
+        called = robot.called.get(joint.name, "")
+        rows.append([joint.name, *([called] if robot.called else []), *limits, *([""] * len(heads))][: len(heads) + 1])
+    return table_text(["limits" if robot.limits else "joint", *heads], rows, look.paper)
 
 
 def _motors(robot: Robot, look: Look) -> str:

@@ -15,7 +15,8 @@ from dhcli.files.urdf.numbers import round_degrees
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.files.urdf.writing import urdf_text
 from dhcli.files.yaml.robots import load_robot, read_robot
-from dhcli.kinematics.describe.asked import Asked
+from dhcli.files.yaml.writing import described_text
+from dhcli.kinematics.describe.asked import Asked, Form
 from dhcli.kinematics.describe.description import describe
 from dhcli.kinematics.forward import forward
 from dhcli.kinematics.inverse.asked import inverse
@@ -121,7 +122,7 @@ def test_limits_and_names_of_joints_are_kept() -> None:
     robot = load_robot(DATA / "three-joints.urdf", tip="tool0")
     assert robot.variables == ("theta1", "theta2", "d3")
     assert set(robot.limits) == {"theta1", "d3"}
-    assert "theta2 is the joint elbow." in robot.notes
+    assert robot.called == {"theta1": "shoulder", "theta2": "elbow", "d3": "slide"}
 
 
 def test_joints_have_the_names_of_the_file_too() -> None:
@@ -134,6 +135,41 @@ def test_joints_have_the_names_of_the_file_too() -> None:
     for wrong, hint in (("elbw", "did you mean elbow"), ("thta2", "did you mean theta2"), ("foo", "known: theta1")):
         with pytest.raises(RobotError, match=f"no joint {wrong} .*{hint}"):
             joint_values(robot, f"{wrong}=0.2")
+
+
+def test_no_variable_has_the_name_of_another_joint() -> None:
+    """`theta1=0.3` would be the second joint, by its name, and is the first variable."""
+    text = THREE.replace('"shoulder"', '"turret_axis"').replace('"elbow"', '"theta1"')
+    robot = read_urdf(text, "x", "x", tip="tool0")
+    assert robot.called == {"phi1": "turret_axis", "phi2": "theta1", "s3": "slide"}
+    assert (
+        forward(robot, {"turret_axis": 0.3, "theta1": -1.1, "slide": 0.2}).rows == forward(robot, [0.3, -1.1, 0.2]).rows
+    )
+
+
+@pytest.mark.parametrize("form", ["standard", "modified", "axes", "screws", "body-screws", "product"])
+def test_a_description_keeps_the_names_of_the_joints(form: Form) -> None:
+    """Through a file, and on to a URDF."""
+    robot = load_robot(DATA / "three-joints.urdf", tip="tool0")
+    again = read_robot(described_text(describe(robot, Asked(form))), "x", "arm")
+    assert again.called == robot.called
+    assert joint_values(again, "elbow=0.2") == joint_values(again, "theta2=0.2")
+    assert [name for name in ("shoulder", "elbow", "slide") if f'<joint name="{name}"' not in urdf_text(again)] == []
+
+
+def test_names_of_joints_that_mean_two_are_told() -> None:
+    """Where a file says them; each with its line."""
+    file = (
+        "format: 1\ntitle: t\nsource: s\nconvention: product\nvariables: [q1, q2, q3]\ncalled:\n"
+        "  q1: elbow\n  q2: elbow\n  q3: q1\n  q4: wrist\nlinks: ['Rot(z, q1)', 'Rot(y, q2)', 'Rot(z, q3)']\n"
+    )
+    with pytest.raises(FileError) as caught:
+        read_robot(file, "f", "arm")
+    assert str(caught.value).splitlines() == [
+        "f:8:3: q2: elbow would be q2 and q1 (give each joint a name of its own)",
+        "f:9:3: q3: q1 would be q3 and q1 (give each joint a name of its own)",
+        "f:10:3: called: q4 is not a joint variable (did you mean q3 or q2 or q1?)",
+    ]
 
 
 def test_a_rounded_turn_at_the_tip_is_told_by_the_turn() -> None:

@@ -36,6 +36,31 @@ def told(*changes: tuple[str, str]) -> list[str]:
     return [f"{p.place.line if p.place else 0}: {p.message}" for p in caught.value.problems]
 
 
+@row_by_row(
+    ("row", "hint"),
+    [
+        ("[a1, 0, 0, theta1]", "write {a: a1, alpha: 0, d: 0, theta: theta1}, if its cells are these"),
+        ("a1, 0, 0, theta1", "write {a: a1, alpha: 0, d: 0, theta: theta1}, if its cells are these"),
+        ("[theta1, 0.2, a1, -90°]", "write {theta: theta1, d: 0.2, a: a1, alpha: -90°}, if its cells are these"),
+        ("[theta1, a1, 0]", "write {a: a1, alpha: 90°, d: 0, theta: theta1}, or convention: product for moves"),
+    ],
+)
+def test_a_row_that_is_a_list_is_shown_with_its_keys(row: str, hint: str) -> None:
+    """In the order in which the variable stands last, or first; it is read so, and nothing else is told."""
+    text = ARM.replace("{a: a1, alpha: 0, d: 0, theta: theta1}", row)
+    with pytest.raises(FileError) as caught:
+        read_robot(text, "arm", "arm")
+    assert [(p.message, p.hint) for p in caught.value.problems] == [("links: row 1 should be a mapping", hint)]
+
+
+def test_a_cell_of_a_row_that_is_a_list_is_judged_too() -> None:
+    """At its own place."""
+    assert told(("{a: a1, alpha: 90°, d: 0, theta: theta3}", "[a1, 90, 0, theta3]")) == [
+        "10: links: row 3 should be a mapping",
+        "10: alpha: the angle 90 has no unit",
+    ]
+
+
 def test_the_arm_itself_is_right() -> None:
     """So that what is told comes of the changes."""
     assert read_robot(ARM, "arm", "arm").pattern == "RPRR"
