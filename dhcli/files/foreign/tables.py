@@ -128,6 +128,6 @@ def _row(cells: list[str], place: Place, heads: Heads, units: str) -> RowText:
 def _kind(text: str, place: Place) -> str:
     known = _KINDS.get(text.strip().lower())
     if known is None:
-        hint = did_you_mean(text, _KINDS) or "revolute, prismatic or fixed"
+        hint = did_you_mean(text, _KINDS)
         raise FileError(Problem(f"{text!r:.60} is no kind of joint", place, hint))
     return known
