@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from dhcli.errors import plural
-from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle
+from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle, magnitude
 from dhcli.notation.brackets import OPENING, closing
 from dhcli.notation.functions import FUNCTIONS
 from dhcli.notation.glued import in_degrees
@@ -141,11 +141,11 @@ class Calls(Operators):
 
     def _check_bare(self, name: str, argument: Expr, angle: Angle, token: Token) -> None:
         """Ask what the 90 of `sin(90 + θ1)` and of `sin(90)` is, for nobody writes 90 radians."""
-        if name.endswith("d") or abs(angle.radians) <= FULL_TURN_IN_RADIANS:
+        if name.endswith("d") or magnitude(angle.radians) <= FULL_TURN_IN_RADIANS:
             return
         for term in argument.terms if isinstance(argument, Sum) else (argument,):
-            if isinstance(term, Number) and abs(term.value) > FULL_TURN_IN_RADIANS:
-                shown = f"{float(abs(term.value)):g}"
+            if isinstance(term, Number) and magnitude(term.value) > FULL_TURN_IN_RADIANS:
+                shown = f"{abs(float(term.value)):g}"
                 of = f"a sum with {shown}" if term is not argument else shown
                 hint = f"write {shown}° for degrees, {shown} rad for radians"
                 raise self.error(f"{name} of {of} does not say what {shown} is", hint, token)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from dhcli.frozen import frozen
+from dhcli.notation.angle import Rational
 from dhcli.notation.brackets import OPENING
 from dhcli.notation.cells import matching, trimmed
 from dhcli.notation.parser import read_all
@@ -84,7 +85,7 @@ def times(factor: Expr, cell: Expr) -> Expr:
     return multiply(factor, cell)
 
 
-def _power_of_ten(value: Fraction) -> int | None:
+def _power_of_ten(value: Rational) -> int | None:
     for power in range(-_LARGEST_POWER, _LARGEST_POWER + 1):
         if value == Fraction(10) ** power:
             return power

@@ -181,9 +181,9 @@ class JointsQuestion(WantedJoints):
         return next((one.text for one in showing(self, case) if one.slip.name == name), None)
 
     def causes(self, case: Case, reading: Reading[Vectors]) -> Causes:
-        from dhcli.checking.solving.slips import gives, showing
+        from dhcli.checking.solving.slips import causes_of
 
-        return tuple((one.slip,) for one in showing(self, case) if gives(self, case, one, reading.value))
+        return tuple((slip,) for slip in causes_of(self, case, reading.value))
 
     def _none_found(self, found: Solutions) -> RobotError:
         """Why no solution is as asked for."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import islice
+from itertools import islice, pairwise
 
 from dhcli.errors import FileError, Place, Problem, did_you_mean, plural
 from dhcli.files.foreign.heads import COUNTED, Heads, cells_of, heads_of
@@ -13,13 +13,15 @@ from dhcli.kinematics.conventions import COLUMNS
 from dhcli.regex import regex
 
 MOST_ROWS = 100
+MOST_LINES = 2000
 _RULE = regex(r"[\s|:+=-]+")
-_BRACKETS = regex(r"^[-*] |^[A-Za-z]\w{0,40} ?= ?\[|[\[\](){}]")
-_OPENED = regex(r"(?:- |[A-Za-z]\w{0,40} ?= ?)?\[{1,2}")
-_CLOSED = regex(r"\]{1,2}[,;]?")
+_AROUND = regex(r"^\s*[-*] |^\s*[A-Za-z]\w{0,40} ?= ?[\w.]{0,40}\(?\[|[\[\](){}]|[#%].*")
+_OPENED = regex(r"(?:- |[A-Za-z]\w{0,40} ?= ?(?:[\w.]{1,40}\()?)?\[{1,2}")
+_CLOSED = regex(r"\]{1,2}\)?[,;]?(?:\s*[#%/].*)?")
 _ROW_PARTS = regex(r"\s*[,;|&\t]\s*|\s+")
 _KINDS = {"r": "R", "revolute": "R", "0": "R", "p": "P", "prismatic": "P", "1": "P", "f": "F", "fixed": "F"}
-_READ = (*COLUMNS, "beta", "offset", "kind")
+LIMITS = ("lower", "upper")
+READ = (*COLUMNS, "beta", "offset", "kind", *LIMITS)
 
 
 def read_table(text: str, source: str, units: str = "") -> tuple[Heads, list[RowText]]:
@@ -42,10 +44,10 @@ def read_table(text: str, source: str, units: str = "") -> tuple[Heads, list[Row
     if len(lines) > MOST_ROWS:
         raise FileError(Problem(f"holds more than {MOST_ROWS} rows", Place(source), "is it the right file?"))
     heads = _without_numbers(heads, [cells for cells, _ in lines])
-    unknown = next((column for column in heads.columns if column and column not in _READ), None)
+    unknown = next((column for column in heads.columns if column and column not in READ), None)
     if unknown is not None:
         line = text.split("\n")[heads.line - 1]
-        hint = did_you_mean(unknown, _READ) or f"columns: {', '.join(_READ)}"
+        hint = did_you_mean(unknown, READ) or "a column without a head is left out"
         place = Place(source, heads.line, line.find(unknown) + 1, line)
         raise FileError(Problem(f"{unknown} is no column of a DH table", place, hint))
     return heads, [_row(cells, place, heads, units) for cells, place in lines]
@@ -53,14 +55,19 @@ def read_table(text: str, source: str, units: str = "") -> tuple[Heads, list[Row
 
 def first_row(text: str) -> int | None:
     """The number of the first line of a text that is rows of four cells or more without heads; None if it is none."""
-    lines = ((n, _BRACKETS.sub(" ", line.strip()).strip(" ,;")) for n, line in enumerate(text.split("\n"), 1))
-    found = [(n, _ROW_PARTS.split(line)) for n, line in islice(lines, MOST_ROWS) if line and line[0] not in "#%"]
-    rows = [row for _, row in found]
-    widths = {len(row) for row in rows}
-    if len(widths) != 1 or not len(COLUMNS) <= widths.pop() <= len(_READ) + 1:
-        return None
-    has_numbers = all(sum(cell[-1:].isdigit() or cell[-1:] == "°" for cell in row) >= len(COLUMNS) - 1 for row in rows)
-    return found[0][0] if has_numbers else None
+    lines = ((n, _AROUND.sub(" ", line).strip(" ,;")) for n, line in enumerate(islice(text.split("\n"), MOST_LINES), 1))
+    rows = [(n, _ROW_PARTS.split(line)) for n, line in lines if line]
+    if len(rows) == 1 and _is_row(rows[0][1]):
+        return rows[0][0]
+    pairs = pairwise(rows)
+    return next((n for (n, row), (_, other) in pairs if _is_row(row) and _is_row(other, len(row))), None)
+
+
+def _is_row(cells: Sequence[str], width: int = 0) -> bool:
+    """Whether cells are those of a row: four or more, of which at most one has no number."""
+    if not len(COLUMNS) <= len(cells) <= len(READ) or width not in (0, len(cells)):
+        return False
+    return sum(not (cell[-1:].isdigit() or cell.endswith(("°", "pi", "π"))) for cell in cells) <= 1
 
 
 def _without_numbers(heads: Heads, rows: Sequence[Sequence[str]]) -> Heads:
@@ -70,7 +77,7 @@ def _without_numbers(heads: Heads, rows: Sequence[Sequence[str]]) -> Heads:
     if not all(len(cells) == len(heads.columns) for cells in rows):
         return heads  # which is told of the row
     first, *others = heads.columns
-    is_number = first not in _READ and _are_numbers([cells[0] for cells in rows])
+    is_number = first not in READ and _are_numbers([cells[0] for cells in rows])
     return replace(heads, columns=("", *others)) if is_number else heads
 
 
@@ -117,15 +124,20 @@ def _row(cells: list[str], place: Place, heads: Heads, units: str) -> RowText:
         column_of_text = max(column_of_text, place.text.find(text, column_of_text))
         here = replace(place, column=column_of_text + 1)
         if column == "kind":
-            kind = _kind(text, here)
-        elif column:
+            kind = kind_of(text, here)
+        elif column and (text or column not in LIMITS):
             default = units if column in ("a", "d") else ""
             found[column] = Cell(text or "0", here, unit or default)
         column_of_text += len(text)
     return RowText(place, found, kind)
 
 
-def _kind(text: str, place: Place) -> str:
+def kind_of(text: str, place: Place) -> str:
+    """R, P or F, of the word for a kind of joint.
+
+    Raises:
+        FileError: It is none.
+    """
     known = _KINDS.get(text.strip().lower())
     if known is None:
         hint = did_you_mean(text, _KINDS)
