@@ -150,7 +150,7 @@ class _Reader:
         """A joint begins."""
         name, kind = self.wanted(attributes, "name", "joint"), self.wanted(attributes, "type", "joint")
         if kind not in (*KINDS, *_OTHERS):
-            hint = did_you_mean(kind, KINDS) or f"types: {', '.join(KINDS)}"
+            hint = did_you_mean(kind, KINDS)
             self.tell(f"joint {name}: there is no type {kind}", hint)
         if any(joint.name == name for joint in self.model.joints):
             self.tell(f"there are two joints called {name}")
