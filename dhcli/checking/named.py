@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Sequence
-from itertools import accumulate
 from typing import TypeAlias
 
-from dhcli.checking.lists import closing, untransposed
+from dhcli.checking.lists import untransposed
 from dhcli.checking.pasted import UnreadableError
 from dhcli.errors import are
-from dhcli.notation.brackets import OPENING, STEPS, split
+from dhcli.notation.brackets import OPENING, closing, depths, split
 from dhcli.notation.functions import FUNCTIONS
 from dhcli.notation.matrix import bracketed
 from dhcli.notation.names import canonical
@@ -140,8 +139,8 @@ def _under_names(names: Sequence[str], rest: str, namings: Sequence[Naming]) -> 
 
 def _pairs(text: str, labels: Sequence[re.Match[str]]) -> list[tuple[str, str]]:
     """Names with what stands behind each; none where a text does not begin with a name."""
-    depths = list(accumulate((STEPS.get(letter, 0) for letter in text), initial=0))
-    found = [match for match in labels if not depths[match.start()] and _begins(text[: match.start()])]
+    deep = list(depths(text))
+    found = [match for match in labels if not deep[match.start()] and _begins(text[: match.start()])]
     if len(found) < 2 or text[: found[0].start()].strip() not in ("", "the"):  # noqa: PLR2004
         return []
     ends = [*(match.start() for match in found[1:]), len(text)]

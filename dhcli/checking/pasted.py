@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 
-from dhcli.checking.lists import closing
 from dhcli.checking.reckoned import ReckonedError, reckoned
 from dhcli.errors import joined
+from dhcli.notation.brackets import closing
 from dhcli.notation.commas import Shape
 from dhcli.notation.pasted import EntriesError, rows_of
 from dhcli.notation.pasted import without_label as _without_label

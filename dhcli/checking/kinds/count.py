@@ -121,7 +121,7 @@ class CountQuestion(AlternativesQuestion[int]):
         expr = parse(without_number_word(without_label(text), WHAT[self.what]), Scope(), place or Place("answer"))
         if any(isinstance(node, Unit) for node in walk(expr)):
             raise UnreadableError("a count is a whole number and has no unit")
-        if not isinstance(expr, Number) or expr.value.denominator != 1 or abs(expr.value) > LARGEST:
+        if not isinstance(expr, Number) or expr.value.denominator != 1 or abs(expr.value.numerator) > LARGEST:
             raise UnreadableError("a count is a whole number")
         return int(expr.value)
 

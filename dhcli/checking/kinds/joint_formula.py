@@ -193,7 +193,7 @@ class JointFormulaQuestion(Question[Formula]):
 
     @property
     def _sum_name(self) -> str:
-        return name_of(tuple((name, 1) for name in self.joints))  # type: ignore[misc]
+        return name_of(tuple((name, 1) for name in self.joints))
 
     @property
     def _entries(self) -> tuple[str, ...]:

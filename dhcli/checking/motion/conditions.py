@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from fractions import Fraction
 from itertools import combinations
 from itertools import product as every
 from typing import TypeAlias
@@ -16,7 +15,7 @@ from dhcli.errors import NotationError, Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.conditions import Put, zeroing
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import Scope
@@ -70,7 +69,7 @@ class Zero:
     """
 
     expr: Expr
-    at: Fraction | None = None
+    at: Rational | None = None
 
 
 Condition: TypeAlias = frozenset[Zero]

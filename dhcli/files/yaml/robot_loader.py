@@ -12,7 +12,7 @@ from dhcli.files.keys.shapes import Key, required
 from dhcli.files.keys.shapes import names as names_of
 from dhcli.files.yaml.drives import read_drives
 from dhcli.files.yaml.fields import Problems
-from dhcli.files.yaml.joint_values import JointValues
+from dhcli.files.yaml.joint_values import JointValues, in_turn
 from dhcli.files.yaml.links import Links
 from dhcli.files.yaml.parameters import Parameters
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
@@ -26,6 +26,7 @@ from dhcli.notation.names import canonical
 from dhcli.notation.scope import Scope
 
 _POSES = "{home: [0, 90°, 100 mm]}"
+_BY_ROW = "whether it turns or slides is said by the row in which it stands"
 MOVING = ("links", "axes", "screws", "end", "home", "base", "tool", "tools")
 """Keys under which names of parameters are used."""
 
@@ -114,7 +115,7 @@ class Loader:
             "tool": tool,
             "tools": tools,
             "first": first,
-            "limits": values.limits(self.fields.mapping("limits", example="{theta1: [-160°, 160°]}")),
+            "limits": values.limits(in_turn(self.fields, "limits", self.variables)),
             "poses": self.read_poses(values),
             "called": values.called(self.fields.mapping("called", example="{theta1: shoulder_pan_joint}")),
             "columns": self.links.columns,
@@ -175,8 +176,11 @@ class Loader:
         """The names in a list, their places kept."""
         for i, node in enumerate(nodes):
             self.places[section, i] = node.place
-            scalar = self.problems.scalar(node, section)
-            if scalar is not None:
+            if isinstance(node, PlacedMapping) and len(node.entries) == 1:
+                name = node.entries[0][0]
+                self.problems.add(node.place, f"{section}: a name stands alone", f"write {name.text}; {_BY_ROW}")
+                yield name.text
+            elif (scalar := self.problems.scalar(node, section)) is not None:
                 yield scalar.text
 
     def chain(self, key: str) -> Chain:
