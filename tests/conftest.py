@@ -3,6 +3,7 @@
 typer reads some of these variables when it is imported, so they are set here, before any test module is.
 """
 
+import atexit
 import gc
 import os
 import signal
@@ -63,9 +64,18 @@ settings.load_profile("ci" if os.environ.get("CI") else "default")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Look for examples where there are some, and tell of tests shortly."""
+    """Look for examples where there are some, and tell of tests shortly; a worker ends as soon as it has told all."""
     config.pluginmanager.register(Examples())
     reporting.pytest_configure(config)
+    if hasattr(config, "workerinput"):
+        atexit.register(os._exit, 0)  # what registers later is done before; then Python would take all apart
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_unconfigure(config: pytest.Config) -> None:
+    """Search for no garbage in a worker that has told all: what is found there nobody hears of."""
+    if hasattr(config, "workerinput"):
+        gc.freeze()
 
 
 class Examples:

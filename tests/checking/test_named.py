@@ -123,6 +123,24 @@ def test_a_name_that_is_missing_or_stands_twice_is_told(answer: str, remark: str
     assert mark.remarks == (remark,)
 
 
+def test_a_jacobian_is_read_entry_by_entry() -> None:
+    """In any order; one that lacks is told."""
+    ask = "jacobian linear of 0..2"
+    rows = [
+        row.split(", ")
+        for row in judge_of(asked("planar-2r", ask)).expected(asked("planar-2r", ask).parts[0])[2:-2].split("], [")
+    ]
+    entries = [f"J_{{{r + 1}{c + 1}}} = {entry}" for r, row in enumerate(rows) for c, entry in enumerate(row)]
+    assert told(ask, ", ".join(reversed(entries))).verdict is Verdict.RIGHT
+    assert (
+        told(
+            ask, "\n".join(entries).replace("J_{11}", "J_{1}").replace("J_{12}", "J_{11}").replace("J_{1}", "J_{12}")
+        ).verdict
+        is Verdict.WRONG
+    )
+    assert told(ask, "; ".join(entries[1:])).remarks == ("entry (1,1) is missing",)
+
+
 def test_names_of_an_arm_are_factors_and_not_labels() -> None:
     """`d3 2` is a product where there is a d3, and so is a formula that begins with a function."""
     for text in ("d3 2, x 3", "cos 1, sin 2, 3", "2, 3, 4", "x1 = x2", ""):

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
 
 from dhcli.checking.pasted import UnreadableError, refuse_long
-from dhcli.notation.brackets import OPENING
+from dhcli.notation.brackets import OPENING, depths, split
 from dhcli.regex import regex
 
 LONGEST = 20_000
@@ -139,21 +138,12 @@ def _at_blanks(text: str) -> Iterator[str]:
 
 def _pieces(text: str, separators: str) -> list[str]:
     """What stands between some signs, those within brackets left alone."""
-    masked = _masked(text)
-    cuts = [-1, *(i for i, letter in enumerate(masked) if letter in separators), len(text)]
-    pieces = (text[start + 1 : end].strip() for start, end in pairwise(cuts))
-    return [piece for piece in pieces if piece]
+    return [piece.strip() for _, piece in split(text, separators) if piece.strip()]
 
 
 def _masked(text: str) -> str:
     """A text of the same length without what stands within brackets."""
-    depth = 0
-    letters = []
-    for letter in text:
-        depth -= letter in OPENING.values() and depth > 0
-        letters.append("." if depth else letter)
-        depth += letter in OPENING
-    return "".join(letters)
+    return "".join("." if depth else letter for letter, depth in zip(text, depths(text), strict=True))
 
 
 def _bare(text: str) -> str:

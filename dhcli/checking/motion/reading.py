@@ -11,7 +11,7 @@ from dhcli.checking.blanks import refuse_one_expression
 from dhcli.checking.entries import Entries, Entry, check_names, count_remark
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.lists import flat, in_square_brackets
-from dhcli.checking.named import Naming, in_order
+from dhcli.checking.named import Naming, in_order, in_rows
 from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, refuse_long, without_label, without_words
 from dhcli.checking.units import has_length_unit, length_in_metres
 from dhcli.checking.vectors import LENGTHS, as_column, column_of_rows
@@ -62,11 +62,9 @@ def read_cells(
     """
     refuse_long(text)
     shape = len(powers), len(powers[0])
-    namings = (
-        names,
-        tuple(str(k + 1) for k in range(len(names))),
-    )  # of the entries of a column the second gives the rows
-    body = in_order(text, namings, exercise.scope)
+    rows = tuple(str(k + 1) for k in range(len(names)))  # by which the entries of a column may be called, too
+    body = in_order(text, (names, rows), exercise.scope)
+    body = in_rows(body, shape, exercise.scope) if min(shape) > 1 else body
     body = without_words(body, exercise.scope) if shape != (1, 1) else body
     body = without_label(as_matrix(body, shape), shape)
     _check_units(body, units, exercise)

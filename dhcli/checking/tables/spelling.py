@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, column_of
+from dhcli.notation.brackets import STEPS
 from dhcli.notation.cells import matching
 from dhcli.notation.names import canonical
 from dhcli.notation.quantity import LENGTH_UNITS, UNITS, Bare
@@ -22,7 +23,6 @@ _FILLING = frozenset(("i", "j", "n", "link", "joint", "no", "nr", "row", "type",
 _NUMBERING = frozenset(("link", "joint", "row"))
 _KINDS = frozenset(("revolute", "prismatic", "fixed"))
 _RULES = frozenset(("hline", "toprule", "midrule", "bottomrule"))
-_OPENING, _CLOSING = frozenset("[({"), frozenset("])}")
 _BREAKS = frozenset(",&|;]}(")
 _NUMBER_SIGN = regex(r"^([^\S\n]{0,40}\|?[^\S\n]{0,40})#(?=[^\S\n]{0,40}[|,&\s])")
 _BULLET = regex(r"^([^\S\n]{0,40})-(?=[^\S\n]{1,40}[\[{])", re.MULTILINE)
@@ -152,7 +152,7 @@ def _opens_key(tokens: Sequence[Token], index: int) -> bool:
 def without_heads(tokens: list[Token], known: Heads) -> tuple[list[Token], Heads]:
     """The tokens without a first row that names the columns, and what that row says."""
     start = next((i for i, t in enumerate(tokens) if t.kind == "word" and _column(t.text)), len(tokens))
-    while start and tokens[start - 1].text.lower() in _FILLING - _OPENING - _CLOSING:
+    while start and tokens[start - 1].text.lower() in _FILLING - STEPS.keys():
         start -= 1
     end = _end_of_heads(tokens, start)
     row = tokens[start:end]
@@ -176,7 +176,7 @@ def _end_of_heads(tokens: list[Token], start: int) -> int:
     depth = 0
     for index in range(start, len(tokens)):
         token = tokens[index]
-        depth += (token.text in _OPENING) - (token.text in _CLOSING)
+        depth += STEPS.get(token.text, 0)
         if token.kind in ("newline", "end") or depth < 0 or (token.text == ";" and depth == 0):
             return index
         if not (_column(token.text) or token.text.lower() in _FILLING):

@@ -7,13 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from itertools import accumulate, pairwise
+from itertools import pairwise
 from typing import TypeAlias
 
 from dhcli.files.yaml.cut import is_piece
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.kinematics.conventions import COLUMNS
-from dhcli.notation.brackets import OPENING, STEPS, split
+from dhcli.notation.brackets import OPENING, closing, split
 from dhcli.regex import regex
 from dhcli.safe import yaml_scalar
 
@@ -42,8 +42,7 @@ def hint_for_brackets(node: PlacedNode) -> str:
     text = node.place.text[(node.place.column or 1) - 1 :]
     if text[:1] not in OPENING:
         return "write one line, or several behind |"
-    depths = accumulate(STEPS.get(letter, 0) for letter in text)
-    end = next((k for k, depth in enumerate(depths, 1) if not depth), 0)
+    end = closing(text) + 1
     shown = f": {yaml_scalar(text[:end])}" if end else ""
     return f"text that begins with a bracket needs quotes{shown}"
 
