@@ -151,3 +151,56 @@ def test_a_misprint_that_is_copied_leads_on() -> None:
     own = "[c12 -s12 0 a*c1 + b*c12; s12 c12 0 a*s1 + b*s12; 0 0 1 0; 0 0 0 1]"
     marks = {one.part.id: one.mark for one in mark_sheet(exercise, {"t12": copied, "t02": own}).parts}
     assert marks["t02"].earned == 1
+
+
+GIVEN, TURNED = "25°,40°,65°,35°,70°,20°", "25°,40°,-65°,35°,70°,20°"
+
+
+def chained(*asked: str, at: str = "") -> Exercise:
+    """Questions about PUMA 560, in numbers at joint values, each of which may build on those before it."""
+    from dhcli.kinematics.values import joint_values
+
+    robot = load_robot("puma560")
+    parts: list[Part] = []
+    for text in asked:
+        depends = tuple(one.id for one in parts)
+        parts.append(Part(f"p{len(parts)}", read_question(text, robot.scope), depends=depends))
+    given = joint_values(robot, at) if at else {}
+    return Exercise("e", "", "", "", tuple(parts), robot, given, numeric=bool(at))
+
+
+def last_mark(exercise: Exercise, *answers: str) -> Mark:
+    """The judgement of the last part."""
+    return mark_sheet(exercise, dict(zip((part.id for part in exercise.parts), answers, strict=True))).parts[-1].mark
+
+
+@pytest.mark.parametrize(
+    "said", ["rpy of", "euler zyz of", "fixed xyz of", "quaternion of", "axis-angle of", "rotation-vector of"]
+)
+@pytest.mark.parametrize("first", ["pose 0..3", "rotation of pose 0..3"])
+def test_an_orientation_said_from_a_wrong_matrix_keeps_its_credit(first: str, said: str) -> None:
+    """Whoever says in angles what their own matrix holds has made no second slip."""
+    asked = first, f"{said} pose 0..3"
+    turned = chained(*asked, at=TURNED)
+    mark = last_mark(chained(*asked, at=GIVEN), *(expected(turned, part) for part in turned.parts))
+    assert (mark.verdict, mark.earned) == (Verdict.WRONG, 1)
+    assert mark.diagnosis is not None
+    assert mark.diagnosis.follows == ("p0",)
+
+
+def test_an_orientation_beside_a_wrong_matrix_needs_to_be_that_of_it() -> None:
+    """Another wrong orientation than that of the own matrix earns nothing."""
+    asked = "rotation of pose 0..3", "rpy of pose 0..3"
+    turned = chained(*asked, at=TURNED)
+    assert last_mark(chained(*asked, at=GIVEN), expected(turned, turned.parts[0]), "10, 20, 30").earned == 0
+
+
+def test_an_axis_read_from_a_wrong_rotation_keeps_its_credit_and_a_position_does_not() -> None:
+    """A rotation says nothing about where a frame is."""
+    exercise = chained("rotation of pose 0..3", "axis x of pose 0..3")
+    rotation = answer_with(exercise, exercise.parts[0], "transposed")
+    mark = last_mark(exercise, rotation, "[c1*c23, -c1*s23, -s1]")
+    assert (mark.verdict, mark.earned) == (Verdict.WRONG, 1)
+    placed = chained("rotation of pose 0..3", "position of pose 0..3")
+    assert last_mark(placed, rotation, "[0, 0, 0]").earned < 1
+    assert last_mark(placed, rotation, "[a2*c2, a2*s2, -d3]").earned < 1
