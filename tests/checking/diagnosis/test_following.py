@@ -10,6 +10,8 @@ from dhcli import load_exercise, load_robot
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.kinds.registry import read_question
 from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.values import joint_values
 from tests.judging import answer_with, expected, mark_sheet
 
 ASKED = ("pose 0..6", "pose 3..5", "link 4", "position of pose 0..5", "point (1, 2, 3) of pose 0..6")
@@ -20,8 +22,6 @@ def puma(asked: str, *, numeric: bool = False) -> Exercise:
     robot = load_robot("puma560")
     table = Part("table", read_question("table modified", robot.scope))
     later = Part("pose", read_question(asked, robot.scope), depends=("table",))
-    from dhcli.kinematics.values import joint_values
-
     given = joint_values(robot, "25°,40°,65°,35°,70°,20°") if numeric else {}
     return Exercise("e", "", "", "", (table, later), robot, given, numeric=numeric)
 
@@ -105,8 +105,6 @@ def links(*, numeric: bool) -> Exercise:
         Part(name, read_question(text, robot.scope), depends=("t01", "t12") if name == "t02" else ())
         for name, text in asked.items()
     )
-    from dhcli.kinematics.values import joint_values
-
     given = joint_values(robot, "25°,40°,65°,35°,70°,20°") if numeric else {}
     return Exercise("e", "", "", "", parts, robot, given, numeric=numeric)
 
@@ -132,8 +130,6 @@ def test_what_follows_from_a_table_without_joints_earns_nothing() -> None:
 
 def test_what_follows_from_numbers_that_have_nothing_to_do_with_the_task_earns_nothing() -> None:
     """Such as those of another variant; a slip that is known leads on."""
-    from dhcli.kinematics.values import joint_values
-
     exercise = links(numeric=True)
     assert exercise.robot is not None
     given = joint_values(exercise.robot, "31°,52°,65°,35°,70°,20°")
@@ -158,8 +154,6 @@ GIVEN, TURNED = "25°,40°,65°,35°,70°,20°", "25°,40°,-65°,35°,70°,20°
 
 def chained(*asked: str, at: str = "") -> Exercise:
     """Questions about PUMA 560, in numbers at joint values, each of which may build on those before it."""
-    from dhcli.kinematics.values import joint_values
-
     robot = load_robot("puma560")
     parts: list[Part] = []
     for text in asked:
@@ -204,3 +198,41 @@ def test_an_axis_read_from_a_wrong_rotation_keeps_its_credit_and_a_position_does
     placed = chained("rotation of pose 0..3", "position of pose 0..3")
     assert last_mark(placed, rotation, "[0, 0, 0]").earned < 1
     assert last_mark(placed, rotation, "[a2*c2, a2*s2, -d3]").earned < 1
+
+
+ABOUT_MOTION = (
+    "jacobian of 0..3",
+    "jacobian linear of 0..3 in frame 3",
+    "jacobian body of 0..3",
+    "column 2 of jacobian of 0..3",
+    "determinant of jacobian linear of 0..3",
+    "torques for (10, 20, 5) of 0..3",
+    "velocity of 0..3 with rates (0.5, 0.2, -1)",
+    "joint rates for (0.1, 0, 0.2) of 0..3",
+)
+
+
+@pytest.mark.parametrize("asked", ABOUT_MOTION)
+@pytest.mark.parametrize("numeric", [False, True])
+def test_what_the_motion_of_a_wrong_table_is_keeps_its_credit(asked: str, *, numeric: bool) -> None:
+    """The slip is in the table; whoever goes on from there rightly, in letters or in numbers, has made no other."""
+    robot = load_robot("articulated")
+    wrong = Robot.from_dh(
+        [("0", "-90°", "d1", "theta1"), ("a2", "0", "0", "theta2"), ("a3", "0", "0", "theta3")],
+        variables=robot.variables,
+        parameters=robot.parameters,
+    )
+    given = joint_values(robot, "25°,40°,65°") if numeric else {}
+    parts = (
+        Part("table", read_question("table standard", robot.scope)),
+        Part("then", read_question(asked, robot.scope), depends=("table",)),
+    )
+    here, there = (Exercise("e", "", "", "", parts, arm, given, numeric=numeric) for arm in (robot, wrong))
+    assert expected(here, here.parts[1]) != expected(there, there.parts[1])
+    answers = {part.id: expected(there, part) for part in there.parts}
+    mark = mark_sheet(here, answers).parts[-1].mark
+    assert (mark.verdict, mark.earned) == (Verdict.WRONG, 1)
+    assert mark.diagnosis is not None
+    assert mark.diagnosis.follows == ("table",)
+    alone = mark_sheet(here, {"then": answers["then"]}).parts[-1].mark
+    assert alone.earned < 1
