@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.frozen import frozen
+from dhcli.kinematics.inverse.arm import nearest_turn
 from dhcli.kinematics.inverse.matrices import eliminate
 from dhcli.kinematics.inverse.polishing import SINGULAR, jacobian, polished, product, residuals
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Arm, Array
+    from dhcli.kinematics.inverse.arm import Arm, Array, Flags
     from dhcli.kinematics.inverse.tasks import Task
 
 _TRY = 0.05
@@ -20,6 +21,9 @@ _TRY = 0.05
 _STAYS = 1e-12
 _NEARLY = 2e-11
 """An arm this near to a singular pose moves as if it were there; the members of its family are polished."""
+
+_BESIDE = 1e-5
+"""How far rounding may put a solution beside the family that it belongs to [rad, reaches]."""
 
 _STRIDE = 0.25
 _WHOLE = 1e-6
@@ -42,23 +46,52 @@ class Freedom:
     straight: bool
 
 
-def freedoms(arm: Arm, task: Task, motions: Array, held: tuple[int, ...] = ()) -> tuple[Freedom, ...]:
-    """The ways to move without moving the end, at one solution, shape (n,), some joints held."""
-    total, slope = jacobian(arm, task, motions[None])
+def standing_still(arm: Arm, task: Task, motions: Array, held: tuple[int, ...] = ()) -> list[Array]:
+    """The rates at which joints may begin to move so that the end stands still, at some solutions.
+
+    Args:
+        arm: The arm.
+        task: What of the end has to stay.
+        motions: Motions of the joints, shape (N, n).
+        held: Joints that do not move.
+
+    Returns:
+        For each solution a basis, shape (k, n), in echelon form; whether the arm can go on so, `freedoms` finds out.
+    """
     others = [j for j in range(arm.joints) if j not in held]
-    if not others:
+    if not others or not len(motions):
+        return [np.empty((0, arm.joints))] * len(motions)
+    _, slope = jacobian(arm, task, motions)
+    _, sizes, rows = np.linalg.svd(slope[:, :, others])
+    ranks = np.count_nonzero(sizes > SINGULAR, axis=1)
+    bases = np.zeros((len(motions), len(others), arm.joints))
+    for k, rank in enumerate(ranks.tolist()):
+        bases[k, rank:, others] = _reduced_from_left(rows[k, rank:]).T
+    bases[np.abs(bases) <= _WHOLE] = 0.0
+    whole = np.round(bases)
+    bases = np.where(np.abs(bases - whole) < _WHOLE, whole, bases)
+    return [basis[rank:] for basis, rank in zip(bases, ranks.tolist(), strict=True)]
+
+
+def freedoms(
+    arm: Arm, task: Task, motions: Array, held: tuple[int, ...] = (), basis: Array | None = None
+) -> tuple[Freedom, ...]:
+    """The ways to move without moving the end, at one solution, shape (n,), some joints held.
+
+    Args:
+        arm: The arm.
+        task: What of the end has to stay.
+        motions: The solution, shape (n,).
+        held: Joints that do not move.
+        basis: What `standing_still` finds of it, where that is known.
+    """
+    basis = standing_still(arm, task, motions[None], held)[0] if basis is None else basis
+    if not len(basis):
         return ()
-    _, sizes, rows = np.linalg.svd(slope[0][:, others])
-    null = rows[np.count_nonzero(sizes > SINGULAR) :]
-    if not len(null):
-        return ()
-    basis = np.zeros((len(null), arm.joints))
-    basis[:, others] = _reduced_from_left(null)
+    total = product(arm, motions[None])
     found = []
-    for k in range(len(basis)):
-        parameter = int(np.flatnonzero(np.abs(basis[k]) > _WHOLE)[0])
-        rates = np.where(np.abs(basis[k]) > _WHOLE, basis[k], 0.0)
-        rates = np.where(np.abs(rates - np.round(rates)) < _WHOLE, np.round(rates), rates)
+    for rates in basis:
+        parameter = int(np.flatnonzero(rates)[0])
         if straight := _is_straight(arm, task, motions, rates, total):
             joints = tuple(int(j) for j in np.flatnonzero(rates))
         elif (moved := _walked(arm, task, motions, total, parameter, held)) is None:
@@ -99,6 +132,19 @@ def _walked(arm: Arm, task: Task, motions: Array, goal: Array, parameter: int, h
         if left[0] < _STAYS and np.abs(led[0] - motions).max() < 20 * _TRY:
             return np.asarray(led[0])
     return None
+
+
+def alike(arm: Arm, motions: Array, member: Array, ways: tuple[Freedom, ...]) -> Flags:
+    """Which solutions, shape (N, n), may be members of the families of another one, shape (n,).
+
+    All joints that do not move in them stand as there, and those that move at constant rates where these lead.
+    """
+    gap = motions - member
+    for way in ways:
+        gap = gap - gap[:, way.parameter, None] * np.array(way.rates) if way.straight else gap
+    curved = {j for way in ways if not way.straight for j in way.joints}
+    still = [j for j in range(arm.joints) if j not in curved]
+    return np.asarray(np.abs(nearest_turn(arm.turning, gap)[:, still]).max(axis=1, initial=0.0) < _BESIDE)
 
 
 def moved_to(  # noqa: PLR0913, PLR0917  where from, where to, and what has to stay

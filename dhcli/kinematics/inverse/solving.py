@@ -74,17 +74,27 @@ def solve(
     rows: list[tuple[int, Array, tuple[Freedom, ...]]] = []
     for index, motions, ways in zip(found.index.tolist(), found.motions, families, strict=True):
         placed = _at_best(ready, motions, goal, best, ways) if ways else motions
-        same = [
-            k for k, (other, row, _) in enumerate(rows) if index == other and _gap(arm.turning, placed, row) < _SAME
-        ]
-        if not same:
+        same = _same(arm.turning, rows, index, placed)
+        if same is not None and ways and rows[same][2] and _parameters(ways) != _parameters(rows[same][2]):
+            placed = motions  # two families cross where both would be shown
+            same = _same(arm.turning, rows, index, placed)
+        if same is None:
             rows.append((index, placed, ways))
-        elif ways and not rows[same[0]][2]:  # beside a family by rounding alone
-            rows[same[0]] = index, placed, ways
+        elif ways and not rows[same][2]:  # beside a family by rounding alone
+            rows[same] = index, placed, ways
     order = sorted(range(len(rows)), key=lambda k: (rows[k][0], *np.round(rows[k][1], 7).tolist()))
     wrapped = np.array([_wrapped(rows[k][1], arm.turning) for k in order])
     left = residuals(task, arm.home, product(arm, wrapped), np.repeat(goal[None], len(wrapped), axis=0))
     return Solved(wrapped, left, tuple(rows[k][2] for k in order), np.array([rows[k][0] for k in order]))
+
+
+def _same(turning: Flags, rows: list[tuple[int, Array, tuple[Freedom, ...]]], index: int, motions: Array) -> int | None:
+    """The place of a solution in a list, None where it is not there."""
+    return next((k for k, (of, row, _) in enumerate(rows) if of == index and _gap(turning, motions, row) < _SAME), None)
+
+
+def _parameters(ways: tuple[Freedom, ...]) -> set[tuple[int, tuple[int, ...]]]:
+    return {(way.parameter, way.joints) for way in ways}
 
 
 def _at_best(ready: Prepared, motions: Array, goal: Array, best: Array, ways: tuple[Freedom, ...]) -> Array:
@@ -127,26 +137,52 @@ def least_singular(ready: Prepared, motions: Array) -> Array:
 
 
 def representatives(ready: Prepared, found: Found, least: Array) -> tuple[Ints, list[tuple[Freedom, ...]]]:
-    """Of the members of a family that differ in the value tried for a free joint alone, the first; all else.
+    """Of the members of a family that differ in the values tried for free joints alone, the first; all else.
+
+    One choice of roots may lead into several families, which a pose at right angles has: in each some joints stand.
 
     Returns:
         Which are kept, in their order, and the ways in which the arm can move at each.
     """
-    loose = np.flatnonzero(least < SINGULAR).tolist()
-    if not loose:
+    loose = np.flatnonzero(least < SINGULAR)
+    if not len(loose):
         return np.arange(len(found.index)), [()] * len(found.index)
-    from dhcli.kinematics.inverse.families import freedoms
+    from dhcli.kinematics.inverse.families import freedoms, standing_still
 
-    ways: dict[int, tuple[Freedom, ...]] = {}
-    first: dict[tuple[int, int], int] = {}
-    keys = list(zip(found.index.tolist(), found.path.tolist(), strict=True))
-    for k in sorted(loose, key=lambda k: int(found.draw[k])):
-        if found.free[k] and keys[k] in first:
-            continue
-        ways[k] = freedoms(ready.arm, ready.task, found.motions[k], ready.plan.held)
-        if found.free[k] and ways[k]:
-            first[keys[k]] = k
-    # of those that were tried, one that a family goes through stands for all: others may be beside it by rounding
-    spare = {k for k in loose if found.free[k] and first.get(keys[k], k) != k}
-    kept = [k for k in range(len(keys)) if k not in spare]
+    arm, task, held = ready.arm, ready.task, ready.plan.held
+    rates = dict(zip(loose.tolist(), standing_still(arm, task, found.motions[loose], held), strict=True))
+    ways = {k: freedoms(arm, task, found.motions[k], held, rates[k]) for k in rates if not found.free[k]}
+    groups: dict[tuple[int, int], list[int]] = {}
+    for k in sorted(rates.keys() - ways.keys(), key=lambda k: (len(rates[k]), found.draw[k])):
+        groups.setdefault((int(found.index[k]), int(found.path[k])), []).append(k)
+    spare = set[int]()
+    for group in groups.values():
+        spare |= _spare(ready, found.motions, group, rates, ways)
+    kept = [k for k in range(len(found.index)) if k not in spare]
     return np.array(kept, dtype=int), [ways.get(k, ()) for k in kept]
+
+
+def _spare(
+    ready: Prepared, motions: Array, group: list[int], rates: dict[int, Array], ways: dict[int, tuple[Freedom, ...]]
+) -> set[int]:
+    """The members of families that others show; takes into account how the arm can move at those that are looked at.
+
+    Where families cross, the arm may begin to move in the ways of each of them, and every one is shown by another.
+    """
+    from dhcli.kinematics.inverse.families import alike, freedoms
+
+    moving = {k: {tuple(np.flatnonzero(way).tolist()) for way in rates[k]} for k in group}
+    left = {k: set(of) for k, of in moving.items()}
+    first, beside = set[int](), set[int]()
+    for k in group:
+        if not left[k]:
+            continue
+        ways[k] = freedoms(ready.arm, ready.task, motions[k], ready.plan.held, rates[k])
+        if ways[k]:
+            first.add(k)
+            near = {group[i] for i in np.flatnonzero(alike(ready.arm, motions[group], motions[k], ways[k])).tolist()}
+            beside |= near
+            for other in near:
+                left[other] -= moving[k]
+    # one that is beside a family by rounding alone cannot move at all
+    return {k for k in group if k not in first and (not left[k] or (k in beside and not ways[k]))}
