@@ -29,6 +29,7 @@ _FIXED = {
     "COLUMNS": "80",
     "LINES": "24",
     "NO_COLOR": "1",
+    "OPENBLAS_NUM_THREADS": "1",  # as in every command; workers have all cores, and a thread that waits keeps one busy
     "PYTHONIOENCODING": "utf-8",  # of the processes that tests start; those about other encodings set their own
     "TERM": "xterm-256color",
 }
