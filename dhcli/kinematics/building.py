@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TypeVar
 
 from dhcli.errors import Place, Problem, RobotError, UnknownNameError, did_you_mean, plural
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
+from dhcli.kinematics.conventions import COLUMNS, TABLES, Convention, Row, moves_of
 from dhcli.kinematics.derived import Value
 from dhcli.kinematics.description import Description, Link
 from dhcli.kinematics.given import mapping_of, text_of, texts_of, tuple_of, value_of
@@ -40,7 +40,7 @@ def from_dh(
     name: str = "robot",
 ) -> Made:
     """A robot from the rows of its table; what is taken is told by `Robot.from_dh`."""
-    if text_of(convention, "convention", "standard or modified") not in ("standard", "modified"):
+    if text_of(convention, "convention", "standard or modified") not in TABLES:
         raise UnknownNameError(f"there is no convention {convention}", "standard or modified")
     given = {} if parameters is None else mapping_of(parameters, "parameters")
     named, called = texts_of(variables, "variables", 'write ["theta1", "d2"]'), text_of(name, "name")
