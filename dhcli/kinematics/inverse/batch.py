@@ -13,6 +13,7 @@ from dhcli.errors import RobotError, did_you_mean
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.inverse.asked import inverse
+from dhcli.kinematics.inverse.found import Found
 from dhcli.kinematics.inverse.question import Question, ask
 from dhcli.kinematics.inverse.reasons import too_far
 from dhcli.kinematics.inverse.running import run
@@ -21,7 +22,7 @@ from dhcli.kinematics.inverse.solutions import turning_joints
 from dhcli.kinematics.inverse.solving import Solved, least_singular, representatives, tries
 from dhcli.kinematics.inverse.targets import read_targets
 from dhcli.kinematics.inverse.tasks import TaskName
-from dhcli.kinematics.inverse.trying import CONFIRMED, Found
+from dhcli.kinematics.inverse.trying import CONFIRMED
 from dhcli.kinematics.inverse.turns import limits_of
 from dhcli.kinematics.limits import SLACK
 from dhcli.kinematics.pose import Pose
@@ -157,7 +158,7 @@ def _solved_block(question: Question, goals: Array, fixed: dict[int, Array], tol
     """What the plan finds of a block of poses with joints held, sorted by pose; of a family one member."""
     ready = question.ready
     found = run(ready.plan, ready.task, goals, tries(ready, question.best()), fixed, tolerance)
-    loose = np.flatnonzero(found.free)
+    loose = np.flatnonzero(np.isin(found.index, found.index[found.free != 0]))
     if len(loose):
         least = np.ones(len(found.index))
         least[loose] = least_singular(ready, found.motions[loose])
