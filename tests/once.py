@@ -10,11 +10,12 @@ from pathlib import Path
 
 from dhcli.checking.exercise import Exercise
 from dhcli.errors import UnknownNameError
-from dhcli.files.library import lookup
-from dhcli.files.library.lookup import Kind, find, full_id
+from dhcli.files.library import entries as library
+from dhcli.files.library.entries import Kind, full_id
+from dhcli.files.library.lookup import find
 from dhcli.files.yaml import exercises, robots
 
-LIBRARY = lookup._built_in_root()
+LIBRARY = library._built_in_root()
 
 MOST_READ = 500
 """Robots that are kept: more than the library has, and not each that an example draws."""
@@ -37,8 +38,9 @@ def load_exercise(name: str | Path) -> Exercise:
 
 def _is_alone() -> bool:
     """Whether nobody has robots, linkages or exercises of their own that the library's may mean: of the same name."""
-    return lookup._built_in_root() == LIBRARY and not any(
-        len(list(lookup._folders(kind))) > 1 and any(entry.shadowed for entry in lookup.entries(kind)) for kind in Kind
+    return library._built_in_root() == LIBRARY and not any(
+        len(list(library._folders(kind))) > 1 and any(entry.shadowed for entry in library.entries(kind))
+        for kind in Kind
     )
 
 

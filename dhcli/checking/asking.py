@@ -6,16 +6,13 @@ from abc import ABC, abstractmethod
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self
 
+from dhcli.checking.whole import is_closed
 from dhcli.errors import Place
 from dhcli.kinematics.robot import Robot
-from dhcli.notation.brackets import OPENING
 from dhcli.notation.scope import Scope
 
 if TYPE_CHECKING:
     from dhcli.mobility.linkage import Linkage
-
-_GOES_ON = ("+", "-", "*", "/", "^", "=", ",", ";", "·", "...")
-"""What the line of an unfinished answer ends in."""
 
 
 class Besides(Protocol):
@@ -119,12 +116,14 @@ class Asking(ABC):
         """Whether an entry of an answer stands for itself; those for which it does not are a direction together."""
         return True
 
-    def is_whole(self, text: str) -> bool:
-        """Whether what was typed so far is plainly complete: its brackets close, and no operand is still to come."""
-        depth = sum((letter in OPENING) - (letter in OPENING.values()) for letter in text)
-        if "\\begin" in text:
-            return depth <= 0 and text.count("\\end") >= text.count("\\begin")
-        return depth <= 0 and not text.strip().endswith(_GOES_ON)
+    def is_whole(self, text: str, _blank: tuple[int, int]) -> bool:
+        """Whether what was typed so far is plainly complete: its brackets close, and no operand is still to come.
+
+        Args:
+            text: What was typed.
+            _blank: Rows and columns of the answer, `blank` of a question.
+        """
+        return is_closed(text)
 
     @property
     def names(self) -> frozenset[str]:

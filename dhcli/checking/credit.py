@@ -6,6 +6,7 @@ from dataclasses import fields
 
 from dhcli.checking.verdicts import Verdict
 from dhcli.frozen import frozen
+from dhcli.notation.tree import Expr, Number
 
 _BY = {"cells": "cell by cell", "rows": "row by row", "whole": "as a whole"}
 UNITS = tuple(_BY)
@@ -56,6 +57,22 @@ class Shares:
 
 USUAL = Shares()
 """What answers earn where nobody has set it."""
+
+
+def only_costs(entry: Expr, *, is_cosine: bool, is_constant: bool) -> bool:
+    """Whether an entry in symbols earns nothing where it is right, and costs what others earn where it is wrong.
+
+    Zeros are typed by whoever has worked out nothing; so are ones that are the same for everybody, such as those in the
+    column of the axis about which a joint turns.
+
+    Args:
+        entry: What is right.
+        is_cosine: Whether it is a direction cosine, for which 1 and -1 are such numbers too.
+        is_constant: Whether the whole answer is numbers; then its ones are what was asked for.
+    """
+    if not isinstance(entry, Number):
+        return False
+    return not entry.value or (is_cosine and not is_constant and abs(entry.value) == 1)
 
 
 def credits_text(value: float) -> str:

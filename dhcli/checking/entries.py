@@ -10,7 +10,8 @@ from typing import TypeAlias
 from dhcli.algebra.floats import Floats
 from dhcli.checking.blanks import refuse_one_expression
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, refuse_long, without_label
+from dhcli.checking.named import XYZ, in_order
+from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, refuse_long, without_label, without_words
 from dhcli.checking.truth import is_length, names_of
 from dhcli.checking.units import has_length_unit, length_in_metres
 from dhcli.checking.vectors import as_column
@@ -27,7 +28,7 @@ from dhcli.notation.tree import ONE, ZERO, Expr, Number, number
 from dhcli.notation.walk import decimals, symbols
 from dhcli.regex import regex
 
-_MOVES = regex(r"\s*(?:Rot|Trans)_?\{?[xyz]?\}? ?\(")
+_MOVES = regex(r"\s*(?:(?:Rot|Trans)_?\{?[xyz]?\}?|[RT]_?\{?[xyz]\}?) ?\(")
 LEAST = 1e-12
 """What floating point leaves where an exact 0 or 1 was meant."""
 
@@ -62,7 +63,9 @@ def read_entries(question: Wanted, exercise: Exercise, text: str, place: Place |
         UnreadableError: It has another shape, an unknown name, or cannot be read.
     """
     refuse_long(text)
-    body = without_label(as_matrix(text, question.shape), question.shape)
+    body = in_order(text, (XYZ,), exercise.scope) if question.shape == (3, 1) else text
+    body = without_words(body, exercise.scope) if question.shape != (1, 1) else body
+    body = without_label(as_matrix(body, question.shape), question.shape)
     refuse_blanks(body)
     if _MOVES.match(body):
         raise UnreadableError("these are moves; what they make was asked, number by number")

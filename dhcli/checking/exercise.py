@@ -24,7 +24,7 @@ from dhcli.checking.units import on_sheet
 from dhcli.checking.verdicts import Mark
 from dhcli.checking.written import Printed, Range, Trial, answer_scope
 from dhcli.errors import DhcliError, Place, RobotError, UnknownNameError, did_you_mean
-from dhcli.frozen import frozen
+from dhcli.frozen import FrozenDict, frozen
 from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.derived import replaced
 from dhcli.kinematics.entries import rounded
@@ -221,6 +221,10 @@ class Question(Asking, Generic[T]):
         """The DH rows that an answer draws, one for each link of the robot; none where it draws none."""
         return ()
 
+    def arm(self, _case: Case, _reading: Reading[T]) -> Robot | None:
+        """The robot as an answer draws it, with the frames of the exercise; None where it draws none."""
+        return None
+
     def leads(
         self, _case: Case, _reading: Reading[T], _span: tuple[int, int], _points: Points
     ) -> tuple[int, int, Matrices] | None:
@@ -329,6 +333,8 @@ class Exercise:
 
     def __post_init__(self) -> None:
         """Work out what follows from the rest."""
+        object.__setattr__(self, "given", FrozenDict(self.given))
+        object.__setattr__(self, "variants", FrozenDict(self.variants))
         said = (self.task, *(part.prompt for part in self.parts))
         object.__setattr__(self, "scope", answer_scope(self.robot, (*self.given, *self.names), said))
         object.__setattr__(self, "values", self.known if self.numeric else self.given)

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from dhcli.checking.named import XYZ, Naming
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.tolerance import ZERO
 from dhcli.frozen import frozen
@@ -29,6 +30,7 @@ class Form:
         parts: What its numbers are called.
         angles: Which of them are angles, in degrees where nothing is said.
         words: The convention, as a heading says it.
+        namings: What its numbers may be called where they stand behind names.
         order: About which axes three angles turn.
     """
 
@@ -36,6 +38,7 @@ class Form:
     parts: tuple[str, ...]
     angles: tuple[int, ...]
     words: str
+    namings: tuple[Naming, ...]
     order: Order | None = None
 
     def rotation(self, typed: Sequence[float]) -> Rotation[float]:
@@ -88,9 +91,20 @@ def form_of(name: str) -> Form:
         order = euler(axes, fixed=kind == "fixed")
         about = "the fixed axes" if order.fixed else "the current axes"
         words = f"three angles about {about} {', '.join(order.axes)}, in this order"
-        return Form(name, tuple(f"about {axis}" for axis in order.axes), (0, 1, 2), words, order)
+        by_axis = (tuple(order.axes),) if len(set(order.axes)) == len(order.axes) else ()
+        spoken = (tuple(map(_SPOKEN.__getitem__, order.axes)),) if order.product == "zyx" else ()
+        namings = (*by_axis, *spoken) if order.fixed else (*by_axis, *spoken, *_EULER)
+        return Form(name, tuple(f"about {axis}" for axis in order.axes), (0, 1, 2), words, namings, order)
     return _FORMS[kind]
 
+
+_EULER: tuple[Naming, ...] = (("phi", "theta", "psi"), ("alpha", "beta", "gamma"))
+"""What the angles about the current axes are called by all books, in this order; about fixed ones they differ."""
+
+_SPOKEN = dict(zip(XYZ, ("roll", "pitch", "yaw"), strict=True))
+"""What the turns of Rz Ry Rx are called by their axes."""
+
+_QUATERNION = ("w", *XYZ)
 
 _FORMS = {
     "rpy": Form(
@@ -98,11 +112,20 @@ _FORMS = {
         ("roll", "pitch", "yaw"),
         (0, 1, 2),
         "roll, pitch and yaw, R = Rz(yaw) Ry(pitch) Rx(roll)",
+        (("roll", "pitch", "yaw"), ("r", "p", "y"), XYZ),
         Order("xyz", fixed=True),
     ),
-    "quaternion": Form("quaternion", ("w", "x", "y", "z"), (), "a unit quaternion, w x y z"),
-    "axis-angle": Form("axis-angle", ("x", "y", "z", "angle"), (3,), "a unit axis and an angle, x y z angle"),
-    "rotation-vector": Form("rotation-vector", ("x", "y", "z"), (), "the unit axis times the angle in radians, x y z"),
+    "quaternion": Form(
+        "quaternion", _QUATERNION, (), "a unit quaternion, w x y z", (_QUATERNION, ("q0", "q1", "q2", "q3"))
+    ),
+    "axis-angle": Form(
+        "axis-angle",
+        (*XYZ, "angle"),
+        (3,),
+        "a unit axis and an angle, x y z angle",
+        ((*XYZ, "angle"), (*XYZ, "theta")),
+    ),
+    "rotation-vector": Form("rotation-vector", XYZ, (), "the unit axis times the angle in radians, x y z", (XYZ,)),
 }
 
 

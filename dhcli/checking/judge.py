@@ -68,7 +68,11 @@ class Judge:
         return self.judged(part, answer, place).mark
 
     def sheet(
-        self, answers: Mapping[str, str], places: Mapping[str, Place] | None = None, only: str | None = None
+        self,
+        answers: Mapping[str, str],
+        places: Mapping[str, Place] | None = None,
+        only: str | None = None,
+        unread: Mapping[str, str] | None = None,
     ) -> SheetMark:
         """Judge the answers of a sheet; a part without an answer is skipped.
 
@@ -76,6 +80,7 @@ class Judge:
             answers: Text by part.
             places: Where each answer stands, for errors.
             only: The one part to look at; all by default.
+            unread: What is wrong with answers that the file does not hold as texts.
 
         Raises:
             UnknownNameError: An answer, or the part asked for, belongs to no part of the exercise.
@@ -85,7 +90,8 @@ class Judge:
             self.exercise.part(name)
         judged: dict[str, Judged[Any]] = {}
         for part in self.exercise.parts:
-            one = self.judged(part, answers.get(part.id, ""), (places or {}).get(part.id))
+            answer, problem = answers.get(part.id, ""), (unread or {}).get(part.id, "")
+            one = _unread(answer, problem) if problem else self.judged(part, answer, (places or {}).get(part.id))
             one = replace(one, mark=self.explained(part, one))
             judged[part.id] = replace(one, mark=self._followed(part, one, judged))
         parts = [part for part in self.exercise.asked if only in (None, part.id)]
@@ -184,7 +190,7 @@ class Judge:
             remarks = error.remarks
         except NotationError as error:
             remarks = tuple(str(problem) for problem in error.problems)
-        return Judged(Mark(Verdict.CANNOT_READ, answer.strip(), remarks=remarks), reading)
+        return replace(_unread(answer, *remarks), reading=reading)
 
     def explained(self, part: Part, judged: Judged[Any]) -> Mark:
         """The mark with the slip behind a wrong answer, or with what can be said of one that has no name."""
@@ -248,6 +254,11 @@ def check(exercise: Exercise, part: str, answer: str) -> Mark:
     if not all(isinstance(text, str) for text in (part, answer)):
         raise DhcliError("the name of a part and the answer to it are texts", 'check(exercise, "a1", "[c1 -s1 ...]")')
     return Judge(exercise).check(exercise.part(part), answer)
+
+
+def _unread(answer: str, *remarks: str) -> Judged[Any]:
+    """What is said of an answer that cannot be read."""
+    return Judged(Mark(Verdict.CANNOT_READ, answer.strip(), remarks=remarks))
 
 
 def _credited(case: Case, mark: Mark) -> Mark:

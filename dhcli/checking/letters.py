@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from dhcli.checking.diagnosis.result import Rank, Slip
@@ -10,11 +11,14 @@ from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading
 from dhcli.checking.verdicts import UNSOLVED, Verdict
 from dhcli.errors import DhcliError
+from dhcli.kinematics.robot import Value
 from dhcli.notation.names import canonical
 from dhcli.notation.quantity import value_text
 from dhcli.regex import regex
 
 NAME = "numbers-for-letters"
+_MEASURE = regex(r"(?<![\w.])(?:\d+[.,]\d+|\.\d+|[1-9]\d{1,5})(?![\w.])")
+"""A number that may be a length, and is no factor of a formula."""
 _WORD = regex(r"[^\W\d_]+\w*")
 _NOISE = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789", "_{}\\ ")
 
@@ -43,10 +47,9 @@ def numbers_for_letters(case: Case, text: str) -> Causes:
     there = case.memo.recent("in the robot's numbers", tuple(left), lambda: Memo(replace(exercise, given=given)))
     for unit in (exercise.unit, *exercise.other_units):
         if _is_right(Case(case.part, there.in_unit(unit)), text):
-            asked = set(_WORD.findall(case.part.question.expected(case)))
-            values = {name: value_text(value, unit) for name, value in left.items() if name in asked}
-            return ((_slip(values, text),),)
-    return ()
+            return ((_slip(case, left, unit, text),),)
+    also = _causes(Case(case.part, there), text) if _MEASURE.search(text) else ()
+    return tuple((_slip(case, left, exercise.unit, text), *slips) for slips in also if len(slips) == 1)
 
 
 def _is_right(case: Case, text: str) -> bool:
@@ -57,7 +60,18 @@ def _is_right(case: Case, text: str) -> bool:
     return mark.verdict not in (*UNSOLVED, Verdict.SKIPPED)
 
 
-def _slip(values: dict[str, str], text: str) -> Slip:
+def _causes(case: Case, text: str) -> Causes:
+    """The slips that an answer has besides."""
+    question = case.part.question
+    try:
+        return question.causes(case, Reading(text, question.read(case, text)))
+    except (UnreadableError, DhcliError):
+        return ()
+
+
+def _slip(case: Case, left: Mapping[str, Value], unit: str, text: str) -> Slip:
+    asked = set(_WORD.findall(case.part.question.expected(case)))
+    values = {name: value_text(value, unit) for name, value in left.items() if name in asked}
     typed = (f": {value} for {name}" for name, value in values.items() if value.split()[0] in text)
     words = f"the robot's numbers stand for its letters{next(typed, '')}"
     return Slip(NAME, words, "are letters or numbers asked for?", Rank.WHOLE)

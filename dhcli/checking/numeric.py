@@ -20,13 +20,13 @@ from dhcli.checking.orientations import (
 from dhcli.checking.other_unit import InUnit, judged_in, plainly_in
 from dhcli.checking.symbolic import is_exactly
 from dhcli.checking.tolerance import (
-    LEAST_DECIMALS,
     NOT_EXACT,
     ZERO,
+    Place,
     Tolerance,
+    agreeing,
     is_rounding_of,
     judge,
-    significant_decimals,
     typed_decimals,
     without_unit,
 )
@@ -45,6 +45,7 @@ from dhcli.checking.verdicts import (
 )
 from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.entries import rounded
+from dhcli.notation.tree import Expr
 
 LEAST_TURN = 0.1
 """Turn below which entries that are wrong have too few digits and no wrong direction [deg]."""
@@ -106,12 +107,11 @@ def mark_numbers(
         for r in range(len(typed))
         for c in range(len(typed[r]))
     )
-    agree = _agree_to_digits(question, truth, entries, exercise)
+    agree = _agreeing(question, truth, entries, exercise)
     is_short = all(cell.verdict is Verdict.RIGHT or (cell.row, cell.column) in agree for cell in cells)
-    enough = {place for place, decimals in agree.items() if decimals >= LEAST_DECIMALS}
     cells = tuple(
         replace(cell, verdict=Verdict.ROUNDED)
-        if cell.verdict is not Verdict.RIGHT and (cell.row, cell.column) in enough
+        if cell.verdict is not Verdict.RIGHT and agree.get((cell.row, cell.column))
         else cell
         for cell in cells
     )
@@ -160,30 +160,21 @@ def _cell(  # noqa: PLR0913, PLR0917  everything an entry is judged by
         enough = (typed_decimals(number) or 0) >= tolerance.decimals
         if enough and is_rounding_of(number, right / unit, least=0):
             verdict = Verdict.RIGHT
-    counted = not truth.is_structural(row, column)
+    is_zero = is_length(question, row, column) and judge(0.0, right, limit) is Verdict.RIGHT  # at the values given
+    counted = not (is_zero or truth.is_structural(row, column))
     return CellMark(row, column, verdict, entry.text, rounded(right / scale), counted=counted)
 
 
-def _agree_to_digits(
-    question: Wanted, truth: Truth, entries: Entries, exercise: Exercise
-) -> dict[tuple[int, int], int]:
-    """Where entries are the truth with fewer decimals, with how many they show; zeros that everybody has are none.
-
-    Where one number of the answer has two that are significant, a small one beside it may have zeros for them: a
-    student who keeps two decimals writes 0.09. Where none has, nothing is shown.
-    """
+def _agreeing(question: Wanted, truth: Truth, entries: Entries, exercise: Exercise) -> dict[Place, bool]:
+    """Where entries are the truth with fewer decimals, and whether they have enough of these."""
     assert truth.numbers is not None  # noqa: S101
-    found, most = dict[tuple[int, int], int](), 0
+    numbers: dict[Place, tuple[Expr, float]] = {}
     for r, row in enumerate(entries):
         for c, entry in enumerate(row):
-            if truth.is_structural(r, c):
-                continue
-            unit = unit_of(question, r, c, exercise)
-            number, scale = without_unit(entry.typed, unit)
-            most = max(most, significant_decimals(number))
-            if is_rounding_of(number, truth.numbers[r][c] / scale, least=0):
-                found[r, c] = typed_decimals(number) or 0
-    return {place: decimals if most >= LEAST_DECIMALS else 0 for place, decimals in found.items()}
+            if not truth.is_structural(r, c):
+                number, scale = without_unit(entry.typed, unit_of(question, r, c, exercise))
+                numbers[r, c] = number, truth.numbers[r][c] / scale
+    return agreeing(numbers)
 
 
 def _is_exact(truth: Truth, entries: Entries, exercise: Exercise) -> bool:
@@ -196,7 +187,7 @@ def _is_exact(truth: Truth, entries: Entries, exercise: Exercise) -> bool:
 
 
 def _matters(cell: CellMark) -> bool:
-    """Whether an entry counts: those that are the same for everybody only where they are wrong."""
+    """Whether an entry counts: zeros and what is the same for everybody only where they are wrong."""
     return cell.counted or cell.verdict is not Verdict.RIGHT
 
 

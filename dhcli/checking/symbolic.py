@@ -45,10 +45,10 @@ def mark_symbols(question: Wanted, truth: Truth, entries: Entries, memo: Memo) -
         remarks = (APPROXIMATE,)
     if verdict is Verdict.WRONG and question.piece == "pose":
         remarks = _half_right(cells)
-    counted = [cell for cell in cells if cell.counted] or list(cells)
+    counted = [cell for cell in cells if cell.counted]
     right = sum(cell.verdict in AGREEING for cell in counted)
     spoiled = sum(not cell.counted for cell in bad)  # a zero that is no zero costs what an entry earns
-    earned = max(0, right - spoiled) / len(counted)
+    earned = max(0, right - spoiled) / len(counted) if counted else float(not spoiled)
     if verdict is Verdict.WRONG and question.piece == "pose" and _is_identity(entries):
         earned = 0.0
     return Mark(verdict, cells=cells, remarks=remarks, earned=earned)

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import TypeAlias
+
 from dhcli.checking.verdicts import Verdict
 from dhcli.frozen import frozen
+from dhcli.notation.angle import magnitude
 from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.tree import Expr, Number, Power, Product, Unit, negate
 
@@ -11,6 +15,9 @@ SLACK = 1e-9
 ZERO = 1e-12
 LEAST_DECIMALS = 2
 CLOSE_FACTOR = 10.0
+
+Place: TypeAlias = tuple[int, int]
+"""Row and column of an entry, from 0."""
 
 NOT_EXACT = "this task wants exact values, such as sqrt(2)/2 for 0.7071"
 """What is said of a value that is only near the right one where exact ones are asked for."""
@@ -79,6 +86,24 @@ def significant_decimals(expr: Expr) -> int:
     places, number = typed_decimals(expr), expr if isinstance(expr, Number) else negate(expr)
     if places is None or not isinstance(number, Number):
         return 0
-    scaled = abs(number.value) * 10**places
+    size = magnitude(number.value)
+    scaled = size * 10**places
     digits = str(int(scaled))
-    return places if abs(number.value) >= 1 else min(places, len(digits)) if scaled else 0
+    return places if size >= 1 else min(places, len(digits)) if scaled else 0
+
+
+def agreeing(numbers: Mapping[Place, tuple[Expr, float]]) -> dict[Place, bool]:
+    """Which numbers of an answer are the truth with fewer decimals, and whether each has enough of them.
+
+    Two are enough where one number of the answer has two that are significant; a small one beside it may have zeros
+    for them: a student who keeps two decimals writes 0.09. Where none has, nothing is shown.
+
+    Args:
+        numbers: What was typed and what is right, in one unit; without the zeros that everybody has.
+    """
+    most = max((significant_decimals(expr) for expr, _ in numbers.values()), default=0)
+    return {
+        place: min(typed_decimals(expr) or 0, most) >= LEAST_DECIMALS
+        for place, (expr, truth) in numbers.items()
+        if is_rounding_of(expr, truth, least=0)
+    }

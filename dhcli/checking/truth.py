@@ -10,6 +10,7 @@ from dhcli.algebra.arithmetic import Arithmetic, settled, sum_of_products
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import CIRCLE, GENERAL, SEED, draws
 from dhcli.algebra.terms import TERMS
+from dhcli.checking.credit import only_costs
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.wanted import Composed, Wanted
@@ -22,7 +23,7 @@ from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain, angle_names, expressions, inverse, names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
-from dhcli.notation.tree import Expr, Number, Symbol, number
+from dhcli.notation.tree import Expr, Symbol, number
 from dhcli.notation.walk import symbols_in, walk
 
 N = TypeVar("N")
@@ -39,8 +40,8 @@ class Truth:
         rows: The entries in textbook form.
         numbers: The entries in floats at the given values, or None while a name has no value.
         size: Sum of the lengths of all translations at the given values [m], the scale of a tolerance.
-        structural: Which entries are the same for everybody and earn nothing: the bottom row and, where joints or
-            lengths have names, those that are 0 and the direction cosines that are 1 or -1.
+        structural: Which entries are the same for everybody and only cost something: the bottom row, those that are 0
+            and, beside entries with names, the direction cosines that are 1 or -1.
     """
 
     rows: tuple[tuple[Expr, ...], ...]
@@ -49,7 +50,7 @@ class Truth:
     structural: tuple[tuple[bool, ...], ...]
 
     def is_structural(self, row: int, column: int) -> bool:
-        """Whether an entry is the same for everybody, so that it earns nothing."""
+        """Whether an entry is the same for everybody, so that it only costs something."""
         return self.structural[row][column]
 
 
@@ -79,7 +80,7 @@ def _compute(question: Wanted, case: Case) -> Truth:
         if not exercise.numeric or not is_known:
             raise
         rows = _sampled(chain, question, named)  # too long for anybody to read, but numbers are not
-    structural = _structural(question, rows, is_constant=not named)
+    structural = _structural(question, rows)
     if not is_known:
         return Truth(rows, None, 0.0, structural)
     over = Floats(numbers(values))
@@ -173,16 +174,14 @@ def entries_on_sheet(question: Wanted, rows: Sequence[Sequence[Expr]], exercise:
     ]
 
 
-def _structural(
-    question: Wanted, rows: tuple[tuple[Expr, ...], ...], *, is_constant: bool
-) -> tuple[tuple[bool, ...], ...]:
+def _structural(question: Wanted, rows: tuple[tuple[Expr, ...], ...]) -> tuple[tuple[bool, ...], ...]:
+    is_constant = not symbols_in(entry for row in rows for entry in row)
+
     def fixed(row: int, column: int) -> bool:
         if question.piece == "pose" and row == 3:  # noqa: PLR2004  the bottom row
             return True
-        entry = rows[row][column]
-        if is_constant or not isinstance(entry, Number):
-            return False
-        return not entry.value or (abs(entry.value) == 1 and not is_length(question, row, column))
+        is_cosine = not is_length(question, row, column)
+        return only_costs(rows[row][column], is_cosine=is_cosine, is_constant=is_constant)
 
     return tuple(tuple(fixed(r, c) for c in range(len(rows[r]))) for r in range(len(rows)))
 

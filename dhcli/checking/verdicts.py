@@ -96,7 +96,7 @@ class CellMark:
         typed: The entry as it was read.
         expected: The right entry; shown only where the exercise allows.
         note: A counterexample or a remark; may be empty.
-        counted: Whether it earns credit; entries that are 0 or 1 for everybody do not.
+        counted: Whether it earns credit; entries that are 0, or 1 for everybody, only cost something.
     """
 
     row: int

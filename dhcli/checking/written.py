@@ -6,11 +6,13 @@ from collections.abc import Iterable
 
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.notation.names import beside, capital, is_greek, usual_aliases
+from dhcli.notation.names import beside, capital, is_greek, parts, usual_aliases
 from dhcli.notation.scope import Scope
 from dhcli.regex import regex
 
 _CAPITAL = regex(r"\b[A-Z]\b")
+_LINK = regex(r"(?<![^\W\d_])[lL](?:[0-9_]|\b)")
+"""A length called l, with an index or without."""
 _MAY_BE_CAPITAL = frozenset("abefghijklmnopqrtuvwxyz")
 """Letters whose capital stands for nothing else: C and S are a cosine and a sine, D what books call a long part."""
 
@@ -72,14 +74,27 @@ def answer_scope(robot: Robot | None, extra: tuple[str, ...], said: Iterable[str
         return Scope(angles=angles, lengths=lengths, aliases=_capitals(extra, said), is_open=not extra)
     own = robot.scope
     more = [name for name in extra if name not in own.names]
-    if not more:
+    links = beside(_links(own, said), more)
+    if not more and not links:
         return own
     return Scope(
         joints=own.joints,
         angles=(*own.angles, *(name for name in more if is_greek(name))),
         lengths=(*own.lengths, *(name for name in more if not is_greek(name))),
-        aliases={**_capitals(more, said), **beside(own.aliases, more)},
+        aliases={**links, **_capitals(more, said), **beside(own.aliases, more)},
     )
+
+
+def _links(own: Scope, said: Iterable[str]) -> dict[str, str]:
+    """`l1` and `L1` for a1: where a1, a2, ... have no gap, nothing else their index, and no name or text has an l."""
+    indexed = [(name, *parts(name)) for name in own.lengths]
+    links = [(index, name) for name, stem, index in indexed if stem == "a" and index]
+    counted = [str(k + 1) for k in range(len(links))]
+    if sorted(index for _, stem, index in indexed if stem == "a" or index in counted) != counted:
+        return {}
+    if any(map(_LINK.search, (*own.names, *said))):
+        return {}
+    return {f"{letter}{index}": name for index, name in links for letter in "lL"}
 
 
 def _capitals(names: Iterable[str], said: Iterable[str]) -> dict[str, str]:

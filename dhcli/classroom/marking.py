@@ -11,7 +11,7 @@ from dhcli.checking.verdicts import Mark
 from dhcli.classroom.folder import Submission
 from dhcli.classroom.grades import Graded, PartGrade, failed
 from dhcli.errors import DhcliError, Problem, UnknownNameError, bug, did_you_mean
-from dhcli.files.library.lookup import Kind, entries, full_id
+from dhcli.files.library.entries import Kind, entries, full_id
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.sheets import Sheet, judged_sheet, read_sheet
 from dhcli.regex import regex

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhcli.algebra.arrays import library_of
 from dhcli.errors import RobotError
 
 if TYPE_CHECKING:
@@ -20,7 +21,8 @@ def real_numbers(given: object, otherwise: RobotError) -> NDArray[np.float64]:
         otherwise: What is raised of something that holds no numbers.
 
     Raises:
-        RobotError: It holds no numbers, or complex ones, or numpy's mask hides some of them.
+        RobotError: It holds no numbers, or complex ones, numpy's mask hides some of them, or an array of another
+            library keeps them to itself.
     """
     try:
         array = np.asanyarray(given)
@@ -31,5 +33,10 @@ def real_numbers(given: object, otherwise: RobotError) -> NDArray[np.float64]:
         if type(array) is not np.ndarray and np.ma.is_masked(array):
             raise RobotError("a mask hides some of the numbers", "array.filled(numpy.nan), or only rows without")
         return np.asarray(array, dtype=np.float64)
-    except (TypeError, ValueError, OverflowError):
+    except (TypeError, ValueError, OverflowError, RuntimeError) as error:
+        if library := library_of(given):  # which is asked for a derivative, or traced, or has its numbers elsewhere
+            message = f"an array of {library} does not give its numbers: {error!s:.90}"
+            raise RobotError(
+                message, "an array of numpy is wanted: of a tensor, tensor.detach().cpu().numpy()"
+            ) from None
         raise otherwise from None

@@ -67,6 +67,7 @@ class Uncoupled:
             poses=given.poses,
             actuators=given.actuators,
             drives=given.drives,
+            called=given.called,
         )
 
     def linear(self, values: Mapping[str, Angle | float]) -> tuple[Matrix, tuple[float, ...]]:
@@ -125,6 +126,7 @@ def uncoupled(robot: Robot, *, singly: bool = False, joined: frozenset[str] = fr
         poses={},
         actuators=None,
         drives=None,
+        called={},
     )
     return Uncoupled(robot, arm, splitter.formulas)
 

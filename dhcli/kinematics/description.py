@@ -6,11 +6,10 @@ from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import field
 from functools import cached_property
 from pathlib import Path
-from types import MappingProxyType
 from typing import Literal
 
 from dhcli.errors import RobotError, plural
-from dhcli.frozen import frozen
+from dhcli.frozen import FrozenDict, frozen
 from dhcli.kinematics.actuators import Actuators
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, convention_hint
 from dhcli.kinematics.derived import Formula, Value
@@ -117,9 +116,9 @@ class Description:
             },
         }
         for attribute, mapping in mappings.items():
-            object.__setattr__(self, attribute, MappingProxyType(mapping))
-        object.__setattr__(self, "derived", MappingProxyType(dict(mapping_of(self.derived, "derived"))))
-        object.__setattr__(self, "called", MappingProxyType(dict(mapping_of(self.called, "called"))))
+            object.__setattr__(self, attribute, FrozenDict(mapping))
+        object.__setattr__(self, "derived", FrozenDict(mapping_of(self.derived, "derived")))
+        object.__setattr__(self, "called", FrozenDict(mapping_of(self.called, "called")))
         object.__setattr__(self, "convention", _convention(self.convention))
 
     @cached_property

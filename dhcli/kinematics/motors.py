@@ -31,6 +31,7 @@ def in_motors(robot: Robot) -> Robot:
         poses={name: _motors(motors, robot, values) for name, values in robot.poses.items()},
         actuators=None,
         drives=robot,
+        called={},
     )
 
 

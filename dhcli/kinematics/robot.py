@@ -6,7 +6,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields
 from importlib import import_module
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 
 from dhcli.errors import RobotError, plural
@@ -209,17 +208,12 @@ class Robot(Description):
 
         return copy(self, tool=tool, base=base, parameters=parameters, name=name)
 
-    def __reduce__(self) -> tuple[type[Robot], tuple[object, ...]]:
-        """Copied and sent to other processes by its fields, which a read-only view of a mapping could not be."""
-        values = (getattr(self, each.name) for each in fields(self))
-        return Robot, tuple(dict(value) if isinstance(value, MappingProxyType) else value for value in values)
-
     def __repr__(self) -> str:
         """One line, as the prompt shows it; `dhcli show` and the attributes have the rest."""
         return f"<Robot {self.name}: {self.title}, {plural(len(self.variables), 'joint')} {self.pattern}>"
 
     def __hash__(self) -> int:
-        """By the fields that cannot change in place; equal robots have equal ones."""
+        """By the fields that tell robots apart; it is asked for often."""
         return hash((self.name, self.convention, self.variables, self.links, self.base, self.tool, self.first))
 
 

@@ -80,6 +80,7 @@ def findings(robot: Description, doubtful: frozenset[str] = frozenset()) -> Iter
     yield from _frames(robot)
     yield from _limits(robot)
     yield from _poses(robot)
+    yield from _called(robot)
 
 
 def _names(robot: Description) -> Iterator[Finding]:
@@ -217,6 +218,19 @@ def _poses(robot: Description) -> Iterator[Finding]:
             continue
         for name, value in zip(robot.variables, values, strict=True):
             yield from _kind(("poses", pose), name, kinds.get(name, ""), (value,))
+
+
+def _called(robot: Description) -> Iterator[Finding]:
+    own = {canonical(name): name for name in robot.variables}
+    seen: dict[str, str] = {}
+    for variable, name in robot.called.items():
+        where = ("called", variable)
+        if variable not in robot.variables:
+            yield Finding(where, f"{variable} is not a joint variable", did_you_mean(variable, robot.variables))
+        elif name in seen or own.get(canonical(name), variable) != variable:
+            other = seen.get(name) or own[canonical(name)]
+            yield Finding(where, f"{name} would be {variable} and {other}", "give each joint a name of its own")
+        seen.setdefault(name, variable)
 
 
 def _kind(where: tuple[str | int, ...], name: str, kind: str, values: tuple[Value, ...]) -> Iterator[Finding]:

@@ -33,7 +33,8 @@ JointInput: TypeAlias = "str | Sequence[float | str | Angle] | NDArray[Any] | Ma
 """What a caller may give for the joints: text, a list or an array in joint order, a mapping by name, or nothing."""
 
 _ASSIGNS = regex(r"[=:]")
-_PENDANT = regex(r"(?i:\A(?:j|joint)[ _]?)(?=[0-9])")
+_PENDANT = regex(r"\A(?:(?i:j|joint|axis|rax)[ _]?|A)(?=[0-9])")
+"""How makers number joints: `J1`, `Joint 1`, `A1`, `rax_1`."""
 _ONE_VALUE = regex(r"([^\s=:,;]+[=:])?[-+−–]?(\d|\.|√|π|pi|\()[^\s;]*(?<!,)")  # noqa: RUF001
 """A value without a blank in it, or a name with one."""
 
@@ -146,7 +147,7 @@ def read_named(robot: Description, name: str, text: str, *, bare: Bare, place: P
 
 
 def joint_called(robot: Description, name: str, place: Place | None = None) -> str:
-    """The joint variable that a person means: `θ1`, `theta_1`, `q1` and, as pendants write it, `J1` are theta1.
+    """The joint variable that a person means: `θ1`, `theta_1`, `q1` and, as pendants write it, `J1` or `A1` are theta1.
 
     A name that a joint has where the robot comes from, `shoulder_pan_joint` of a URDF, comes before all others.
 

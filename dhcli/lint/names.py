@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 
+from dhcli.files.library.entries import BUILT_IN, Kind, entries
 from dhcli.files.library.kinds import kind_of
-from dhcli.files.library.lookup import BUILT_IN, Kind, entries
 from dhcli.frozen import frozen
 from dhcli.kinematics.validity import Finding
 

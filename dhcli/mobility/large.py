@@ -27,17 +27,17 @@ from dhcli.mobility.pairs import LinkageError
 WIDEST = 1200
 """Columns of a front; a linkage with a wider one is no long chain."""
 
-FEW = 240
-"""With as many equations of loops, and no more, a plain singular value decomposition does."""
-
-WIDE = 100
-"""Links in a front; a wider one is left to a plain decomposition, too, as long as that takes seconds ..."""
-
 MOST = 2500
-"""... which it does up to so many equations of loops."""
+"""Equations of loops that a plain singular value decomposition takes in seconds."""
+
+NEAR = 1e-8
+"""A value of theirs that is kept and below this is looked at by links: it falls with the cube of a chain's length."""
 
 SMALLEST = 12
-"""Singular values that are looked for; with more freedoms than this they are looked for in larger numbers."""
+"""Singular values that are looked for beside the freedoms that the formula counts; more where there are more."""
+
+A_LINK, A_VALUE = 2e6, 1.5e4
+"""What a link costs when it is eliminated, and for each value looked for, in multiplications of a decomposition."""
 
 PASSES = 12
 POWERS = 15
@@ -69,9 +69,9 @@ def large_mobility(model: Model, tolerance: float = 0.0) -> Truth:
     Few loops have few equations, however long they are: then the loop form is the smaller one. It is so, too, where
     the links hang together like a net: their loops are short, and their fronts wide.
     """
-    equations = len(model.basis) * len(model.chords) + len(model.ties)
-    by_loops = equations <= FEW or (equations <= MOST and _widest(model) > WIDE)
-    rank = rank_of(model.jacobian(), max(TIGHT, tolerance)) if by_loops else _rank_of_links(model, tolerance)
+    rank = rank_of(model.jacobian(), max(TIGHT, tolerance)) if _is_small_by_loops(model) else None
+    if rank is None or (rank.kept is not None and rank.kept < NEAR):
+        rank = _rank_of_links(model, tolerance)
     zeros, loops = model.motions - rank.rank, _lambdas(model)
     certificate = certain(model, rank, sum(loops) + len(model.ties), zeros)
     if certificate:
@@ -80,12 +80,24 @@ def large_mobility(model: Model, tolerance: float = 0.0) -> Truth:
     return Truth(model, rank, zeros, loops, None, (0, zeros), words)
 
 
+def _is_small_by_loops(model: Model) -> bool:
+    """Whether the rank is sooner found by the equations of loops than by those of links."""
+    front = len(model.basis) * _widest(model)
+    by_links = len(model.tree) * (A_LINK + A_VALUE * _wanted(model) + front**3 / 2)
+    return model.equations <= MOST and model.equations**2 * model.motions <= by_links
+
+
+def _wanted(model: Model) -> int:
+    """How many of the smallest singular values tell the freedoms, if the formula counts them rightly."""
+    return max(0, model.motions - model.equations) + SMALLEST
+
+
 def _rank_of_links(model: Model, tolerance: float) -> Rank:
     """The rank by the constraint form."""
     size, unknown = len(model.basis), len(model.basis) * (len(model.linkage.links) - 1)
     equations, largest = _placed(model)
     blocks = eliminate(equations, len(model.tree), size, ZERO * largest)
-    wanted = SMALLEST
+    wanted = _wanted(model)
     while True:
         values = smallest_values(blocks, equations, unknown, min(wanted, unknown)) / largest
         zeros = int(np.count_nonzero(values < max(ZERO, tolerance)))

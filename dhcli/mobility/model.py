@@ -115,6 +115,11 @@ class Model:
         flat = np.abs(self.twists[:, [0, 1, 5]]).max(initial=0.0)
         return np.eye(6)[[2, 3, 4]] if flat == 0.0 else np.eye(6)
 
+    @property
+    def equations(self) -> int:
+        """The number of equations of all loops, and ties: the rows of the Jacobian."""
+        return len(self.basis) * len(self.chords) + len(self.ties)
+
     def jacobian(self, twists: Array | None = None) -> Array:
         """The loop equations' derivative: `V_a + V_joint - V_b = 0` for each chord, and the ties below.
 

@@ -70,8 +70,7 @@ def true_mobility(linkage: Linkage, tolerance: float = 0.0) -> Truth:
         LinkageError: The geometry makes no sense.
     """
     model = model_of(linkage)
-    equations = len(model.basis) * len(model.chords) + len(model.ties)
-    if len(linkage.links) > MANY or max(equations, model.motions) > WIDE:
+    if len(linkage.links) > MANY or max(model.equations, model.motions) > WIDE:
         return large_mobility(model, tolerance)
     tight = max(TIGHT, tolerance)
     there = spaces(model.jacobian(), tight)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from dhcli.errors import NotationError, Place
-from dhcli.notation.brackets import OPENING, STEPS
+from dhcli.notation.brackets import OPENING, STEPS, closing
 from dhcli.notation.calls import Calls
 from dhcli.notation.dimensions import unit_meant
 from dhcli.notation.functions import FUNCTIONS, is_usual, nearest_meaning, refusal
@@ -92,14 +92,19 @@ class Parser(Calls):
     """Reads expressions from tokens; the readers of matrices and of moves share it."""
 
     def finish(self) -> None:
-        """Make sure that nothing is left over, and that no letter stands both small and capital for one name."""
+        """Make sure that nothing is left over, and that no length has two names, A1 and a1 or l1 and a1."""
         super().finish()
-        for token in self.tokens:
-            if token.kind != "word" or not token.text[0].isupper() or not self.scope.is_alias(token.text):
+        words = [token for token in self.tokens if token.kind == "word"]
+        for token in words:
+            name = self.scope.length_meant(token.text)
+            if not name:
                 continue
-            small = token.text[0].lower() + token.text[1:]
-            if any(other.text == small for other in self.tokens):
-                raise self.error(f"{token.text} stands beside {small}: are they the same?", "write one of them", token)
+            own = canonical(token.text)
+            for other in (canonical(each.text) for each in words):
+                if other != own and name in (other, self.scope.length_meant(other)):
+                    raise self.error(
+                        f"{token.text} stands beside {other}: are they the same?", "write one of them", token
+                    )
 
     def _word(self, token: Token) -> Expr:
         word = token.text
@@ -169,12 +174,8 @@ class Parser(Calls):
         if tokens[last + 1].text == "^" and tokens[last + 2].kind == "number":
             last += 2
         if tokens[last + 1].text in OPENING and tokens[last + 1].kind == "sign":
-            depth = 0
-            for i in range(last + 1, len(tokens) - 1):
-                depth += STEPS.get(tokens[i].text, 0)
-                if depth == 0:
-                    return i
-            return len(tokens) - 2
+            end = closing(token.text for token in tokens[last + 1 : -1])
+            return len(tokens) - 2 if end < 0 else last + 1 + end
         if tokens[last + 1].kind == "number":
             last += 1
             return last + (tokens[last + 1].text == "°" or self._is_angle_word(tokens[last + 1]))

@@ -66,10 +66,11 @@ class Scope:
         """Whether a word is one of the declared names."""
         return canonical(word) in self._known
 
-    def is_alias(self, word: str) -> bool:
-        """Whether a word is another spelling of a name, and no name itself."""
+    def length_meant(self, word: str) -> str:
+        """The length of which a word is another name, and no name itself; empty if it is of none."""
         plain = canonical(word)
-        return plain in self.aliases and canonical(self._known[plain]) != plain
+        name = self._known[plain] if plain in self.aliases else ""
+        return name if name in self.lengths and canonical(name) != plain else ""
 
     def is_angle(self, name: str) -> bool:
         """Whether a name stands for an angle; in an open scope Greek letters and q do."""

@@ -33,6 +33,8 @@ _OPERATORS = {
 }
 _SIGNS = {**_OPERATORS, "**": "^", ".": "*"}
 _SPOKEN = {"minus": "-"}
+_CAPITALS = {word: word.lower() for word in ("Deg", "DEG", "Degree", "Degrees", "Rad", "RAD", "Radians")}
+"""Units behind a number as phones and forms write them."""
 _SUPERSCRIPT = regex("(⁻?)([⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 _NOISE = "─━═┄┈╌┌┬┐├┼┤└┴┘┏┳┓┡╇┩┢┣╋┫┗┻┛╔╦╗╠╬╣╚╩╝╭╮╯╰⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠$"
@@ -53,11 +55,14 @@ _PIECE = regex(
 )
 """Everything but LaTeX, superscripts and decimal commas; a full stop between names is the dot of a product."""
 _MINUTES = regex(
-    r"(?P<degrees>[0-9]{1,3})[ ]?°[ ]?(?P<minutes>[0-5]?[0-9](?:\.[0-9]{1,9})?)[ ]?['′’]"  # noqa: RUF001
-    r"(?:[ ]?(?P<seconds>[0-5]?[0-9](?:\.[0-9]{1,9})?)[ ]?(?:[\"″”]|''|′′|’’))?",  # noqa: RUF001
+    r"(?P<degrees>[0-9]{1,3})[ ]?(?:[°º˚]|deg(?:rees?)?\b\.?)[ ]?"
+    r"(?P<minutes>[0-5]?[0-9](?:\.[0-9]{1,9})?)[ ]?(?:['′’]|(?:arc[ -]?)?min(?:utes?)?\b\.?)"  # noqa: RUF001
+    r"(?:[ ]?(?P<seconds>[0-5]?[0-9](?:\.[0-9]{1,9})?)[ ]?"
+    r"(?:[\"″”]|''|′′|’’|(?:arc[ -]?)?(?:sec(?:onds?)?|s)\b\.?))?",  # noqa: RUF001
     re.ASCII,
 )
-"""An angle in degrees, minutes and seconds, `2°28′38″`."""
+"""An angle in degrees, minutes and seconds, `2°28′38″` and `2 deg 28 min 38 sec`."""
+_DEGREES = ("°", "deg", "º", "˚")
 _COMMAND = regex(r"\\([A-Za-z]+|.)", re.DOTALL)
 _SUBSCRIPT = regex(r"\s*(_\{[^{}]*\}|_[A-Za-z0-9])")
 _WRAPPED = regex(r"\s*\{\s*([A-Za-z0-9]+)\s*\}((?:_\{[^{}]*\}|_[A-Za-z0-9])?)")
@@ -160,7 +165,7 @@ def tokenize(source: Source, *, decimal_comma: bool = False, most: int = MOST_CH
         raise source.error(most, f"{len(text)} characters are more than the {most} that are read")
     tokens: list[Token] = []
     position, spaced, depth, length = 0, False, 0, len(text)
-    in_minutes = "°" in text and _MINUTES.search(text) is not None
+    in_minutes = any(sign in text for sign in _DEGREES) and _MINUTES.search(text) is not None
     while position < length:
         if in_minutes and (angle := _MINUTES.match(text, position)):
             tokens += _in_degrees(angle, spaced=spaced)
@@ -180,6 +185,7 @@ def tokenize(source: Source, *, decimal_comma: bool = False, most: int = MOST_CH
                 tokens.append(Token("sign", _SPOKEN[word], position, end, spaced))
             else:
                 plain = word if word.isascii() else word.translate(SUBSCRIPTS)
+                plain = _CAPITALS.get(plain, plain) if tokens and tokens[-1].kind == "number" else plain
                 tokens.append(Token("word", plain, position, end, spaced))
             position, spaced = end, False
         elif match and kind == "number" and (depth or not decimal_comma):

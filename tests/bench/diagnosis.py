@@ -41,7 +41,7 @@ from dhcli.checking.motion.question import MotionQuestion
 from dhcli.checking.symbolic import same as equal
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import joint_values
 

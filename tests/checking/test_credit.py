@@ -139,6 +139,38 @@ def test_a_zero_of_a_jacobian_that_is_none_costs_what_an_entry_earns() -> None:
         assert earned(asked, "-0.4898 -0.2898; 0.4241 0.0776; 0 0.5") == (Verdict.WRONG, 4 / 5)
 
 
+@pytest.mark.parametrize("credit", ["1", "{close: 1}", "{rotation: 0.5}"])
+@pytest.mark.parametrize(
+    ("ask", "numeric", "zeros", "one_right"),
+    [
+        ("column 1 of jacobian space of 0..2", False, "0, 0, 0, 0, 0, 0", "0, 0, 1, 0, 0, 1"),
+        ("angular velocity of 0..2 with rates (1, 1)", True, "0, 0, 0", "0, 2, 0"),
+        ("differential motion (0, 0, 0) turn (0, 0, 0.01) of 0..1", True, "0 0 0 0;" * 4, "0 0 1 0;" * 4),
+        ("axis z of pose 0..2", False, "0, 0, 0", "0, 0, -1"),
+        ("axis z of pose 0..2", True, "0, 0, 0", "0, 0, -1"),
+        ("'product \"Trans(0, 0, 5) Rot(y, 90°)\"'", False, "0 0 0 0; 0 0 0 0; 0 0 0 0; 0 0 0 1", "1 0 0 0; " * 4),
+        ("'product \"Trans(0, 0, 5) Rot(y, 90°)\"'", True, "0 0 0 0; 0 0 0 0; 0 0 0 0; 0 0 0 1", "1 0 0 0; " * 4),
+        ("'position of product \"Trans(0, 0, 5) Rot(y, 90°)\"'", True, "0, 0, 0", "5, 0, 0"),
+    ],
+)
+def test_zeros_earn_nothing_where_zeros_are_right(
+    ask: str, credit: str, zeros: str, one_right: str, *, numeric: bool
+) -> None:
+    """Nor does an answer with as many wrong entries beside them as there are to be worked out."""
+    for answer in (zeros, one_right):
+        assert earned(exercise(ask, credit, numeric=numeric), answer)[1] == 0, answer
+
+
+def test_a_coordinate_that_is_zero_at_the_values_given_only_costs() -> None:
+    """At 90° x is 0: y is what was to be worked out, and a wrong x costs as much."""
+    asked = read_exercise(
+        f"{HEAD}numeric: true\ngiven: {{theta1: 90°}}\nparts: [{{id: p, ask: position of link 1}}]\n", "e", "e"
+    )
+    assert earned(asked, "0, 0.1, 0") == (Verdict.WRONG, 0)
+    assert earned(asked, "0.3, 0.4, 0") == (Verdict.WRONG, 1 / 2)
+    assert earned(asked, "0, 0.4, 0") == (Verdict.RIGHT, 1)
+
+
 @pytest.mark.parametrize(("credit", "share"), [("1", 0), ("{close: 0.6}", 0.6)])
 def test_a_value_that_is_close_earns_its_share(credit: str, share: float) -> None:
     """1 % off."""

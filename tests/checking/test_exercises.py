@@ -14,7 +14,7 @@ from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.truth import is_length, truth_of
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import RobotError
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.sheets import read_sheet, write_sheet
 from dhcli.notation.styles import STYLES

@@ -10,7 +10,7 @@ from dhcli.checking.exercise import Exercise
 from dhcli.checking.figures import held_back, linkages, shown, subject
 from dhcli.checking.kinds.registry import KINDS
 from dhcli.cli.shell.drawn import of_exercise
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.kinematics.robot import Robot
 from dhcli.mobility.linkage import Linkage

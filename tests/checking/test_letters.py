@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from dhcli import check, load_exercise
@@ -34,9 +36,47 @@ def test_the_numbers_of_the_robot_for_its_letters_are_named(exercise: str, part:
 
 
 @pytest.mark.parametrize(
+    ("exercise", "part", "answer", "also"),
+    [
+        (FORMULAS, "elbow", "±acos((px^2 + py^2 + 0.25)/0.24)", "the sign of 0.25 in the formula for theta2"),
+        (FORMULAS, "elbow", "±acos((0.25 - px^2 - py^2)/0.24)", "the sign in the law of cosines is wrong in theta2"),
+        (ARM, "d02", "0.4*c1 - 0.3*c12, 0.4*s1 + 0.3*s12, 0", "the sign of a2*c12 in entry (1,1)"),
+        (ARM, "d02", "0.4*c1 + 0.4*c12, 0.4*s1 + 0.3*s12, 0", "entry (1,1) has a1 for a2"),
+        (JACOBIAN, "determinant", "0.12*c2", "the answer has c2 for s2"),
+    ],
+)
+def test_a_slip_beside_numbers_for_letters_is_named_too(exercise: str, part: str, answer: str, also: str) -> None:
+    """Both, where the answer is right without them."""
+    judged = check(load_exercise(exercise), part, answer)
+    assert judged.verdict is Verdict.WRONG
+    assert judged.diagnosis is not None
+    assert len(judged.diagnosis.names) == 1
+    first, second = judged.diagnosis.names[0].split(" and ", 1)
+    assert first.startswith("the robot's numbers stand for its letters")
+    assert second.startswith(also)
+
+
+@pytest.mark.parametrize("exercise", ["motion/articulated-jacobian", "wpi/puma560-links", "zhou/three-r-arm-tip"])
+def test_l2_is_no_name_where_it_might_be_another_length(exercise: str) -> None:
+    """Beside d1, l1 may be d1 or a2; where the lengths are a, b and c they have no numbers."""
+    found = load_exercise(exercise)
+    assert not [word for word in ("l1", "l2", "L2", "l3") if found.scope.has(word)]
+
+
+def test_l1_is_a_question_beside_a1_and_in_a_task_with_a_length_of_its_own() -> None:
+    """Whoever writes both means two lengths; whoever reads of an l in the task means that."""
+    exercise = load_exercise(JACOBIAN)
+    judged = check(exercise, "determinant", "a1*l2*s2 + 0*a2")
+    assert judged.verdict is Verdict.CANNOT_READ
+    assert "l2 stands beside a2" in judged.remarks[0]
+    assert check(exercise, "determinant", "a1*l2*s2").verdict is Verdict.RIGHT
+    for words in ("The arm is L = 0.7 m long.", "Let l_1 be the height.", "l1 is none of its lengths"):
+        assert not replace(exercise, task=words).scope.has("l2")
+
+
+@pytest.mark.parametrize(
     ("exercise", "part", "answer"),
     [
-        (ARM, "d02", "0.4*c1 + 0.4*c12, 0.4*s1 + 0.3*s12, 0"),  # a2 is 0.3
         (ARM, "d02", "0.5*c1 + 0.3*c12, 0.5*s1 + 0.3*s12, 0"),
         (PUMA, "px", "c1*(a2*c2 + a3*c23 - a2*s23) - d3*s1"),  # a2 for d4, which are equal in this arm
     ],

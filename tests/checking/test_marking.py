@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import math
 import re
 from dataclasses import replace
@@ -13,7 +14,7 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.judge import check
+from dhcli.checking.judge import Judge, check
 from dhcli.checking.kinds.made import question_about
 from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.marked import SheetMark
@@ -21,7 +22,7 @@ from dhcli.checking.orientations import angle_between, not_orthonormal
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals
 from dhcli.checking.verdicts import Mark, Verdict, too_few
 from dhcli.errors import DhcliError, UnknownNameError
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.forward import forward
@@ -229,6 +230,22 @@ def test_two_decimals_are_rounded_however_small_an_entry_is(degrees: int) -> Non
         rows = forward(robot, (0, math.radians(degrees))).rows
         answer = "; ".join(" ".join(f"{float(entry):.{places}f}" for entry in row) for row in rows)
         judged = check(exercise, "pose", answer)
+        assert judged.verdict in (Verdict.RIGHT, Verdict.ROUNDED)
+        assert judged.is_too_short is not is_enough
+        assert (judged.earned == 1) is is_enough
+
+
+@pytest.mark.parametrize("degrees", range(5, 90, 5))
+def test_two_decimals_are_as_many_in_a_jacobian(degrees: int) -> None:
+    """One rule for the entries of every kind of answer: 0.03 beside -0.31 is 0.0261, 0.0 beside 0.3 is nothing."""
+    robot = load_robot("articulated")
+    given = joint_values(robot, f"{degrees}°,10°,5°")
+    exercise = question_about(robot, "jacobian linear of 0..3", numeric=True, given=given)
+    judge = Judge(exercise)
+    rows = ast.literal_eval(judge.expected(exercise.parts[0]))
+    for places, is_enough in ((2, True), (1, False)):
+        answer = "; ".join(" ".join(f"{entry:.{places}f}" for entry in row) for row in rows)
+        judged = judge.check(exercise.parts[0], answer)
         assert judged.verdict in (Verdict.RIGHT, Verdict.ROUNDED)
         assert judged.is_too_short is not is_enough
         assert (judged.earned == 1) is is_enough

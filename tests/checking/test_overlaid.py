@@ -12,7 +12,7 @@ from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.made import question_about
 from dhcli.checking.returned import Overlaid
 from dhcli.cli.shell.overlaid import values_of
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.kinematics.values import Values, joint_values
 from dhcli.scene.beside import first_difference

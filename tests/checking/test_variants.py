@@ -19,7 +19,7 @@ from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.checking.written import Range
 from dhcli.errors import DhcliError
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number

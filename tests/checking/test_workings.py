@@ -14,7 +14,7 @@ from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.symbolic import same
 from dhcli.checking.verdicts import Verdict
 from dhcli.checking.workings import MOST_DECIMALS
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.kinematics.conventions import Convention
 from dhcli.notation.parser import parse

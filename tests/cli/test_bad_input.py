@@ -176,6 +176,8 @@ def test_many_rows_behind_q_are_sent_where_rows_go(dhcli: Run, tmp_path: Path) -
         ('{"theta1": 0.5, "theta2": 0, "d3": 0.1}', 0.5, 0.1),
         ('{\n  "joint_3": 0.1,\n  "joint_1": 0.5,\n  "joint_2": 0\n}\n', 0.5, 0.1),
         ("J1,J2,J3\n0.5,0.2,0.1\n", 0.5, 0.1),
+        ("A1;A2;A3\n0,5;0,2;0,1\n", 0.5, 0.1),
+        ("rax_1,rax_2,rax_3\n0.5,0.2,0.1\n", 0.5, 0.1),
     ],
 )
 def test_a_file_of_one_pose_behind_q_is_read_by_the_names_in_it(

@@ -242,8 +242,8 @@ def test_a_sheet_of_another_exercise_is_refused(dhcli: Run, tmp_path: Path) -> N
     ("answers", "said"),
     [
         ("  a9: '1'\n", "has no part a9"),
-        ("  a1: &x '1'\n  a2: *x\n", "YAML anchor"),
-        ("  a1: [1, 2\n", "sheet.yaml:"),
+        ("  a1: '1'\n  a1: '2'\n", "sheet.yaml:5:3: a1: stands twice"),
+        ("  - a1: 1\n", "answers:"),
         ("  a1: '" + "1 " * 150_000 + "'\n", "256 kB"),
     ],
 )
@@ -253,6 +253,16 @@ def test_a_sheet_that_is_none_ends_with_2(dhcli: Run, tmp_path: Path, answers: s
     assert (done.code, done.out) == (2, "")
     assert said in done.err
     assert read_progress()[0] == {}
+
+
+def test_a_stray_quote_leaves_the_other_answers_judged(dhcli: Run, tmp_path: Path) -> None:
+    """With its line and what to write; the sheet has an answer that cannot be read, so it ends with 2."""
+    done = dhcli("check", PLANAR, sheet(tmp_path, f"  a1: '{A1}'\n  blocks: '1'st'\n  x2: (c12, s12, 0)\n"))
+    assert done.code == 2
+    assert re.findall(r"^. RIGHT +(\w+)", done.out, re.MULTILINE) == ["a1", "x2"]
+    assert "CAN'T READ  blocks" in done.out
+    assert "sheet.yaml:5:14: text follows the closing quote (write blocks: " in done.out
+    assert read_progress()[0][PLANAR]["a1"].best == "RIGHT"
 
 
 def test_a_mistake_in_a_sheet_is_found_by_its_line(dhcli: Run, tmp_path: Path) -> None:

@@ -136,6 +136,20 @@ def test_limits_and_poses_are_in_degrees_however_they_were_written(dhcli: Run, t
     assert content["joints"][0]["limits"][0] == -2.8973
 
 
+def test_lengths_that_no_arm_has_are_told_where_a_robot_is_shown_or_made(dhcli: Run, tmp_path: Path) -> None:
+    """Millimetres without their unit are metres; once, and with what to do about it."""
+    table = "a,alpha,d,theta\n400,0,0,q1\n300,0,0,q2\n"
+    made = ("new", "robot", "--from", "-", "--convention", "standard")
+    arm = tmp_path / "arm.yaml"
+    long = dhcli(*made, "-o", str(arm), stdin=table)
+    said = "a of row 1: 400 m is longer than any arm, and 1 more; "
+    assert f"note: {said}--units mm takes bare lengths as such\n" in long.err
+    warning = f"dhcli: warning: {said}bare lengths are metres: did you mean 400 mm? units: mm makes all of them so\n"
+    assert dhcli("show", str(arm)).err == warning
+    assert "longer" not in dhcli(*made, "--units", "mm", "-o", "-", stdin=table).err
+    assert "did you mean 0.4 m?" in dhcli(*made, "-o", "-", stdin=table.replace("400", "4e-4").replace("300", "0")).err
+
+
 def test_a_table_is_exported(dhcli: Run) -> None:
     """CSV for a spreadsheet, LaTeX for a paper."""
     assert dhcli("show", "planar-2r", "--format", "csv").out.split("\n")[:2] == ["i,a,alpha,d,theta", "1,a1,0,0,theta1"]
@@ -157,10 +171,10 @@ def test_a_broken_file_is_listed_with_what_is_wrong(dhcli: Run, tmp_path: Path) 
 
 def test_a_robot_that_hides_a_built_in_one_is_said_to(dhcli: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     """Both are listed; the exercises, which are read anew beside it, are left out."""
-    from dhcli.files.library import catalogue, lookup
+    from dhcli.files.library import catalogue
+    from dhcli.files.library.entries import Kind, entries
 
-    entries = lookup.entries
-    monkeypatch.setattr(catalogue, "entries", lambda kind: entries(kind) if kind is lookup.Kind.ROBOTS else ())
+    monkeypatch.setattr(catalogue, "entries", lambda kind: entries(kind) if kind is Kind.ROBOTS else ())
     dhcli("new", "robot", "scara")
     lines = [line for line in dhcli("list", "robots").out.split("\n") if line.split()[:1] == ["scara"]]
     assert len(lines) == 2
@@ -170,10 +184,10 @@ def test_a_robot_that_hides_a_built_in_one_is_said_to(dhcli: Run, monkeypatch: p
 
 def test_kinds_without_content_are_not_shown(dhcli: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     """And an empty kind that is asked for is said to be empty."""
-    from dhcli.files.library import catalogue, lookup
+    from dhcli.files.library import catalogue
+    from dhcli.files.library.entries import Kind, entries
 
-    entries = lookup.entries
-    monkeypatch.setattr(catalogue, "entries", lambda kind: entries(kind) if kind is lookup.Kind.ROBOTS else ())
+    monkeypatch.setattr(catalogue, "entries", lambda kind: entries(kind) if kind is Kind.ROBOTS else ())
     assert "linkages" not in dhcli("list").out
     done = dhcli("list", "linkages")
     assert (done.code, done.out.strip()) == (0, "")

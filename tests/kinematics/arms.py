@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from functools import cache
 
 from dhcli import load_robot
-from dhcli.files.library.kinds import Kind
-from dhcli.files.library.lookup import entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.notation.angle import Angle

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from dhcli import forward_batch, jacobian, load_robot
+from dhcli import forward_batch, inverse, inverse_batch, jacobian, load_robot
 from dhcli.algebra.arrays import library_of
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import Convention
@@ -150,3 +150,23 @@ def test_torch_differentiates_and_maps(name: str) -> None:
         assert np.abs(slope.numpy() - columns[:, k, :]).max() <= 1e-13
     mapped = torch.func.vmap(torch.func.jacfwd(lambda row: forward_batch(robot, row)[:3, 3]))(torch.tensor(q))
     assert np.abs(mapped.numpy() - columns).max() <= 1e-13
+
+
+@pytest.mark.parametrize("raised", [RuntimeError("no numbers while there is a gradient"), TypeError("it is traced")])
+def test_an_array_that_keeps_its_numbers_to_itself_is_told(raised: Exception) -> None:
+    """A tensor of PyTorch that wants a gradient, an array that JAX traces: inverse kinematics looks at numbers."""
+
+    class Tensor:
+        """As much of one as numpy asks for."""
+
+        def __array_namespace__(self) -> None:
+            """What tells that it is one."""
+
+        def __array__(self, *_: object, **__: object) -> np.ndarray:
+            """Refuse."""
+            raise raised
+
+    Tensor.__module__ = "torch._tensor"
+    for ask in (inverse, inverse_batch):
+        with pytest.raises(RobotError, match=f"an array of torch does not give its numbers: {raised}"):
+            ask(load_robot("scara"), Tensor())  # type: ignore[operator]

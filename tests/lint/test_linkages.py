@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from dhcli.files.library.lookup import Kind, find
+from dhcli.files.library.entries import Kind
+from dhcli.files.library.lookup import find
 from tests.lint.linting import Broken, assert_told, cases, findings
 
 CLEAN = """\
@@ -171,11 +172,10 @@ LOOSE = "format: 1\ntitle: T\nsource: S\nspace: planar\npoints: {A: [0, 0], B: [
         ),
         ("ground, R, crank", "'ground, R, crank' is not read as a joint", "write ground R crank"),
         ("R ground crank", "'R ground crank' is not read as a joint", "write ground R crank"),
-        (
-            "ground R crank at (0, 1)",
-            "'ground R crank at (0, 1)' is not read as a joint",
-            "write {type: R, links: [ground, crank], point: [0, 1]}, or name the point under points:",
-        ),
+        ("ground R crank at (0, 1)", "point: should be a list, is a text", "write [0, 1]"),
+        ("ground R crank at [0 1]", "point: a comma stands between values", "write [0, 1]"),
+        ("ground R crank at [0, 1, 2, 3]", "point: two coordinates are wanted, not 4", "write [x, y]"),
+        ("ground P crank along (1, 0)", "axis: should be a list, is a text", "write [1, 0]"),
         ("ground P crank along X", "axis: 'X' is no direction", "write x"),
         ("ground P crank along A-B", "axis: 'A-B' is no direction", "write A to B"),
         ("{type: R, links: [ground, crank], at: A}", "at: unknown key", "did you mean point?"),

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from dhcli.errors import DhcliError
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.files.yaml import coordinates
 from dhcli.files.yaml.linkages import find_linkage, load_linkage, read_linkage
 from dhcli.mobility.counting import Counts
@@ -111,6 +111,30 @@ def test_the_forms_of_a_four_bar_agree() -> None:
     found = [analyse(read(form)) for form in forms]
     assert [one.gruebler for one in found] == [1, 1, 1, 1]
     assert [one.mobility for one in found] == [1, 1, None, None]
+
+
+def test_a_joint_in_a_line_has_its_numbers_where_they_stand() -> None:
+    """As names say them, and what is wrong with one is told at its own place."""
+    lines = (
+        "ground R a at [0, 0]",
+        "a R b at [0, r*cos(0°)]",
+        "b R c at [3,2]",
+        "c R ground at [3, 0 ] about [0, 0, 1]",
+    )
+    placed = read("space: planar\nlet: {r: 100 cm}\njoints:\n" + "".join(f"  - {line}\n" for line in lines))
+    named = read(FOUR_BAR + JOINTS)
+    assert isinstance(placed, Linkage)
+    assert isinstance(named, Linkage)
+    assert [joint.point for joint in placed.joints] == [joint.point for joint in named.joints]
+    assert placed.joints[-1].axis == (0, 0, 1)
+    slide = read("space: spatial\njoints:\n  - ground C a at [1, 2, -3] along [1, 0, -1]\n")
+    assert isinstance(slide, Linkage)
+    assert (slide.joints[0].point, slide.joints[0].axis) == ((1, 2, -3), (1, 0, -1))
+    with pytest.raises(DhcliError) as caught:
+        read("space: planar\njoints:\n  - ground R a at [0, q]\n")
+    place = caught.value.problems[0].place
+    assert place is not None
+    assert (place.line, place.column) == (6, 23)
 
 
 def test_a_pin_through_three_links_is_two_joints() -> None:

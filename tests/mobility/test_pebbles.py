@@ -13,7 +13,7 @@ import pytest
 
 from dhcli.geometry.rank import rank_of
 from dhcli.geometry.vectors import Vector
-from dhcli.mobility import decision
+from dhcli.mobility import decision, large
 from dhcli.mobility.copies import mapped
 from dhcli.mobility.counting import Counts
 from dhcli.mobility.large import _placed, _widest, eliminate, large_mobility
@@ -215,6 +215,20 @@ def test_over_braced_nets_of_hundreds_of_links_are_decided(kinds: str) -> None:
     assert found.mobility is not None
     assert found.mobility > Counts.of(found.model.linkage).gruebler  # type: ignore[operator]
     assert found.certificate.startswith("exact")
+
+
+def test_a_net_is_decided_by_its_loops_and_a_narrow_gap_by_its_links(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Elimination of a wide front takes a hundred times as long; its gap is the wider one."""
+    eliminated: list[int] = []
+    monkeypatch.setattr(large, "eliminate", lambda *given: eliminated.append(given[1]) or eliminate(*given))
+    model = model_of(net(210, 300, 2))
+    by_loops = large_mobility(model)
+    assert not eliminated
+    monkeypatch.setattr(large, "NEAR", 1.0)
+    small = model_of(net(40, 55, 2))
+    assert large_mobility(small).instantaneous == generic_freedoms(small)
+    assert eliminated == [39]
+    assert by_loops.instantaneous == generic_freedoms(model)
 
 
 @pytest.mark.parametrize(("size", "seed"), paired([(30, 40), (60, 90)], range(2)))

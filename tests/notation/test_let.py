@@ -4,7 +4,7 @@ import pytest
 
 from dhcli import load_robot, symbolic
 from dhcli.algebra.equality import equal
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.notation.let import name_parts
 from dhcli.notation.parser import parse
 from dhcli.notation.walk import operations, substitute, symbols

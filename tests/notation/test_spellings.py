@@ -104,6 +104,9 @@ def test_without_a_robot_names_stand_for_themselves(text: str, read: str) -> Non
         ("2*theta1 - theta2 + 0.25 rad", "2*theta1 - theta2 + 0.25 rad"), ("π rad", "180°"), ("22.5°", "22.5°"),
         ("30 degrees", "30°"), ("-(θ1 + 90°)", "-theta1 - 90°"), ("1/3 deg", "(1/3)°"),
         ("2°28′38″", "(4459/1800)°"), ("-2° 28' 38\"", "(-4459/1800)°"), ("30°15'", "30.25°"), ("-0°30'", "-0.5°"),
+        ("2 deg 28 min", "(37/15)°"), ("2 degrees 28 minutes 38 seconds", "(4459/1800)°"), ("-2° 30 min", "-2.5°"),
+        ("2deg 28min 38s", "(4459/1800)°"), ("2 deg 30'", "2.5°"), ("2º30 arcmin", "2.5°"),
+        ("30 DEG", "30°"), ("0.5Rad", "0.5 rad"), ("-30 Degrees", "-30°"),
     ],
 )  # fmt: skip
 def test_an_angle_is_read_exactly(text: str, angle: str) -> None:

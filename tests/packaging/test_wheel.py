@@ -143,7 +143,7 @@ def test_the_metadata_name_the_extras_the_licence_and_the_readme(wheel: Path) ->
 
 def test_the_installed_package_is_the_one_that_runs_and_has_every_robot(installed: Path, tmp_path: Path) -> None:
     """Else the tests below would try the checkout; all of the checkout's robots are found, each by its name."""
-    program = "import dhcli; from dhcli.files.library.lookup import Kind, entries\n"
+    program = "import dhcli; from dhcli.files.library.entries import Kind, entries\n"
     program += "print(dhcli.__file__, *(entry.name for entry in entries(Kind.ROBOTS)))"
     place, *names = _run(sys.executable, "-c", program, cwd=tmp_path, PYTHONPATH=str(installed)).split()
     assert Path(place).resolve().is_relative_to(installed.resolve())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.files.yaml.linkages import load_linkage
 from dhcli.files.yaml.robots import load_robot, read_robot
 from dhcli.kinematics.robot import Robot

@@ -9,7 +9,8 @@ import pytest
 from dhcli.algebra.equality import equal
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
-from dhcli.files.library.lookup import Kind, find
+from dhcli.files.library.entries import Kind
+from dhcli.files.library.lookup import find
 from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.fold import fold

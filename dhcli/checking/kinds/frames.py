@@ -13,13 +13,14 @@ from dhcli.checking.frames.reading import TypedFrame, read_frames
 from dhcli.checking.frames.rules import Rules
 from dhcli.checking.frames.sketch import axes_text, drawn_at, pose_of, seen_from, sketch_of
 from dhcli.checking.frames.slips import as_typed, causes_of, every_slip
-from dhcli.checking.frames.spelling import has_frames, rows_of
+from dhcli.checking.frames.spelling import has_frames, rows_of, small_axes
 from dhcli.checking.kinds.linked import needed
-from dhcli.checking.kinds.table import TableQuestion, leads_of
+from dhcli.checking.kinds.table import TableQuestion, arm_of, leads_of
 from dhcli.checking.returned import Causes, Matrices, Overlaid, Points, Reading, Shown
 from dhcli.checking.tables.comparing import END
 from dhcli.checking.tables.typed_rows import TypedRow
 from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
+from dhcli.checking.whole import is_closed
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention, Row
@@ -92,9 +93,9 @@ class FramesQuestion(Question[Answer]):
     def pose_drawn(self, exercise: Exercise) -> Values:
         return sketch_of(exercise, self.convention, self.pose).joint_values
 
-    def is_whole(self, text: str) -> bool:
+    def is_whole(self, text: str, _blank: tuple[int, int]) -> bool:
         *_, last = text.strip().splitlines() or [""]
-        return Question.is_whole(self, text) and (text.strip().startswith("[") or len(rows_of(last)) > 1)
+        return is_closed(text) and (text.strip().startswith("[") or len(rows_of(last)) > 1)
 
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
         lengths = needed(exercise.robot).parameters if exercise.numeric else ()
@@ -112,6 +113,7 @@ class FramesQuestion(Question[Answer]):
         yield Shown("Frame by frame, the origin, x and z:\n" + "\n".join(lines))
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Answer:
+        text = small_axes(text)
         if not has_frames(text):
             return self._table.read(case, text, place)
         first, last = self._ends(case.exercise)
@@ -152,6 +154,9 @@ class FramesQuestion(Question[Answer]):
         self, case: Case, reading: Reading[Answer], span: tuple[int, int], points: Points
     ) -> tuple[int, int, Matrices] | None:
         return leads_of(self.rows(case, reading), self.convention, span, points)
+
+    def arm(self, case: Case, reading: Reading[Answer]) -> Robot | None:
+        return arm_of(case.exercise.robot, self.rows(case, reading), self.convention)
 
     def _second_truth(self, case: Case, frames: tuple[TypedFrame, ...]) -> Mark | None:
         """EQUIVALENT if frames lie on the axes of the exercise's other robot."""

@@ -16,6 +16,7 @@ from dhcli.checking.motion.grid import Grid
 from dhcli.checking.motion.in_entries import column_signs
 from dhcli.checking.motion.question import MotionQuestion
 from dhcli.checking.motion.reading import unit_of_rates
+from dhcli.checking.named import Naming
 from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.verdicts import Mark
 from dhcli.checking.wanted import NotAskedError
@@ -105,6 +106,9 @@ class JacobianQuestion(ColumnsQuestion):
             return mark
         said = f"{unit} is no unit of a Jacobian: its columns of joints that turn hold lengths, those of slides numbers"
         return replace(mark, remarks=(*mark.remarks, f"{said}; times the rates of the joints it gives {unit}"))
+
+    def numbers_named(self, _case: Case) -> Naming:
+        return () if self.row else self.form.labels
 
     def columns(self, case: Case) -> Columns:
         robot, view = self.motion.check(case.exercise.robot, self.twist)

@@ -13,7 +13,7 @@ from dhcli.checking.other_unit import refuse_right_in
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving import covering
-from dhcli.checking.solving.covering import Asked
+from dhcli.checking.solving.covering import Asked, Outcome
 from dhcli.checking.solving.derived import (
     derivation_of,
     moving_joints,
@@ -41,6 +41,8 @@ _ASKED = regex(
     r"(?:angle|joint)\s+(?P<joints>[\w+ ]+?)\s+(?:(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|\d{1,4})\s+)?"
     r"of\s+(?P<task>pose|position|orientation)\s*"
 )
+FIRST = 3
+"""Solutions at which a formula is looked at before it is tried at all of them."""
 EARNED_TOO_MUCH = 0.5
 """What a formula earns that has every value, and others besides."""
 
@@ -156,15 +158,32 @@ class JointFormulaQuestion(Question[Formula]):
         if not found and not any(outcome.hits):
             # a slip, and of its values not all: `atan2(px, py)` where two angles are asked for
             found = tuple((slip,) for slip, _, values in self._showing(case) if self._agree(typed, values, partly=True))
-        return found or self._in_terms(case, reading.value)
+        return found or tuple((slip,) for slip in self._more_slips(case, reading.value))
 
-    def _in_terms(self, case: Case, formula: Formula) -> Causes:
-        """A slip in the terms of the formula, of which there are too many to have them all ready."""
+    def _more_slips(self, case: Case, formula: Formula) -> tuple[Slip, ...]:
+        """A slip in the functions or the terms of a formula, of which there are too many to have them all ready."""
         from dhcli.checking.solving.formula_slips import slips_in_terms
+        from dhcli.checking.solving.mended import mended_functions, mended_terms, mended_zero
 
-        derivation = self._derivation(case)
-        step, cases = formula_of(derivation, self.joints), self._cases(case)
-        return tuple((slip,) for slip in slips_in_terms(formula, step, derivation.robot, self._asked, cases))
+        derivation, cases = self._derivation(case), self._cases(case)
+        robot = derivation.robot
+
+        def outcomes(other: Formula) -> Iterator[Outcome]:
+            """At a few solutions first, at which most are seen to be wrong."""
+            return (covering.tried(other, those, self._asked, robot) for those in (cases[:FIRST], cases))
+
+        def is_right(other: Formula) -> bool:
+            return all(outcome.is_right for outcome in outcomes(other))
+
+        def is_sound(other: Formula) -> bool:
+            return all(outcome.is_sound for outcome in outcomes(other))
+
+        return (
+            mended_functions(formula, self._name, is_right)
+            or slips_in_terms(formula, formula_of(derivation, self.joints), robot, self._asked, cases)
+            or mended_terms(formula, self._name, robot.writing, is_right)
+            or (mended_zero(formula, self._name, is_sound) if self.turns else ())
+        )
 
     # --- Its parts -------------------------------------------------------------------------------------------------
 
@@ -174,7 +193,7 @@ class JointFormulaQuestion(Question[Formula]):
 
     @property
     def _sum_name(self) -> str:
-        return name_of(tuple((name, 1) for name in self.joints))  # type: ignore[misc]
+        return name_of(tuple((name, 1) for name in self.joints))
 
     @property
     def _entries(self) -> tuple[str, ...]:

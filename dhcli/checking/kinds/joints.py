@@ -19,6 +19,7 @@ from dhcli.checking.solving.question import Vectors, WantedJoints
 from dhcli.checking.solving.reading import bracketed, read_vectors
 from dhcli.checking.solving.vectors import in_unit, other_units, shows_unit
 from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.checking.whole import ends_in_bracket, is_closed
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.validity import Finding
@@ -28,6 +29,8 @@ from dhcli.regex import regex
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.solutions import Solutions
 
+_SEVERAL = regex(r";|\bor\b|\band\b|\)[^()]*\(")
+"""What stands between solutions in one line."""
 _WHICH = regex(
     r"(?P<limits>within\s+limits\s*)?(?:(?P<all>all)|(?P<any>any)|branch\s+(?P<branch>[\w +,-]+))?", re.DOTALL
 )
@@ -68,6 +71,11 @@ class JointsQuestion(WantedJoints):
 
     def blank(self, exercise: Exercise) -> tuple[int, int]:
         return 1, len(self.joints_of(exercise))
+
+    def is_whole(self, text: str, _blank: tuple[int, int]) -> bool:
+        """Of several solutions nobody knows which is the last, unless they stand in brackets or in one line."""
+        is_set = self.which == "all" and text.strip()[:1] not in ("[", "{")
+        return is_closed(text) and (not is_set or ends_in_bracket(text) or bool(_SEVERAL.search(text)))
 
     def notes(self, exercise: Exercise) -> Iterable[str]:
         joints = self.joints_of(exercise)
@@ -173,9 +181,9 @@ class JointsQuestion(WantedJoints):
         return next((one.text for one in showing(self, case) if one.slip.name == name), None)
 
     def causes(self, case: Case, reading: Reading[Vectors]) -> Causes:
-        from dhcli.checking.solving.slips import gives, showing
+        from dhcli.checking.solving.slips import causes_of
 
-        return tuple((one.slip,) for one in showing(self, case) if gives(self, case, one, reading.value))
+        return tuple((slip,) for slip in causes_of(self, case, reading.value))
 
     def _none_found(self, found: Solutions) -> RobotError:
         """Why no solution is as asked for."""

@@ -15,10 +15,10 @@ from dhcli.checking.returned import Causes, Judged, Matrices, Overlaid, Points, 
 from dhcli.checking.truth import is_length, names_in, truth_of, unvalued
 from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
 from dhcli.checking.wanted import Composed, Wanted, read_wanted
+from dhcli.checking.whole import is_whole_matrix
 from dhcli.errors import DhcliError, NotationError, Place, Problem
 from dhcli.frozen import frozen
 from dhcli.kinematics.frames import View
-from dhcli.notation.brackets import OPENING
 from dhcli.notation.quantity import DimensionError
 from dhcli.notation.scope import Scope
 from dhcli.notation.writer import write
@@ -106,14 +106,8 @@ class MatrixQuestion(Wanted, Question[Entries]):
     def is_length(self, row: int, column: int) -> bool:
         return is_length(self, row, column)
 
-    def is_whole(self, text: str) -> bool:
-        if not Question.is_whole(self, text):
-            return False
-        if self.shape == (1, 1) or "\\end" in text or text.strip().startswith(("[", "array", "np.")):
-            return True
-        rows, columns = self.shape
-        apart = _outside_brackets(text)
-        return rows - 1 == apart[";"] or (columns == 1 and rows - 1 in apart.values())
+    def is_whole(self, text: str, blank: tuple[int, int]) -> bool:
+        return is_whole_matrix(text, blank)
 
     @property
     def names(self) -> frozenset[str]:
@@ -246,33 +240,16 @@ class MatrixQuestion(Wanted, Question[Entries]):
         if is_trivial(values) or has_name(mark):
             return not is_trivial(values)
         is_from_here = not case.exercise.numeric or mark.earned >= HALF
-        return is_from_here and (self.piece != "pose" or is_motion(values))
+        return is_from_here and (not self.is_factor or is_motion(values))
 
     def leads(
         self, case: Case, reading: Reading[Entries], span: tuple[int, int], _points: Points
     ) -> tuple[int, int, Matrices] | None:
-        from dhcli.checking.diagnosis.typed import typed_answer
-        from dhcli.kinematics.frames import span_of
+        from dhcli.checking.diagnosis.following import leads_from
 
-        robot = case.exercise.robot
-        if robot is None or not isinstance(self.source, View) or self.piece != "pose" or self.inverse:
-            return None
-        start, end = span_of(robot, self.source)
-        typed = typed_answer(case, self, reading.value)
-        is_forward = span[0] <= start < min(end, span[1])
-        return (start, end, typed.values) if typed is not None and is_forward else None
+        return leads_from(case, self, reading.value, span)
 
     def overlaid(self, case: Case, reading: Reading[Entries], values: Values) -> Overlaid | None:
         from dhcli.checking.overlaid import overlaid_matrix
 
         return overlaid_matrix(case.exercise, self, reading.value, values)
-
-
-def _outside_brackets(text: str) -> dict[str, int]:
-    """How many commas and semicolons stand outside brackets."""
-    depth, found = 0, {",": 0, ";": 0}
-    for letter in text:
-        depth += (letter in OPENING) - (letter in OPENING.values())
-        if depth == 0 and letter in found:
-            found[letter] += 1
-    return found

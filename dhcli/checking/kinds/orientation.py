@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.diagnosis.result import Slip
@@ -14,6 +14,7 @@ from dhcli.checking.entries import check_names
 from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.forms import Form, form_of
 from dhcli.checking.lists import flat, with_unit_inside
+from dhcli.checking.named import in_order
 from dhcli.checking.orientations import angle_between, transposed, turned
 from dhcli.checking.other_unit import RADIANS, WrongUnitError
 from dhcli.checking.pasted import UnreadableError
@@ -28,10 +29,13 @@ from dhcli.geometry.euler import Order
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers, symbols_of
 from dhcli.notation.angle import Angle
+from dhcli.notation.brackets import OPENING, split
 from dhcli.notation.commas import with_points
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
 from dhcli.notation.scope import Scope
+from dhcli.notation.tree import Expr, Unit
+from dhcli.notation.walk import walk
 from dhcli.regex import regex
 
 if TYPE_CHECKING:
@@ -43,6 +47,8 @@ _FORM = regex(
 )
 _ROTATION_OF = regex(r"\Arotation\s+of\s+")
 _LABEL = regex(r"[^\W\d]\w{0,12}\s{0,9}[=:]")
+_WORD = regex(r"\s*[^\W\d]\w{0,12}\s+(?=[\[(])")
+"""What stands before an axis in brackets without a sign, `axis (0, 0, 1)`."""
 LEAST_TURN = 1e-6
 """Turns that differ by less than this are one [rad]."""
 
@@ -121,6 +127,8 @@ class OrientationQuestion(Question[Turn]):
     def read(self, case: Case, text: str, place: Place | None = None) -> Turn:
         exercise = case.exercise
         _, wanted = self.blank(exercise)
+        text = in_order(text, self.form.namings, exercise.scope)
+        text = _axis_first(text) if self.form.name == "axis-angle" else text
         body = with_unit_inside(with_points(_LABEL.sub(" ", text), (1, wanted)).strip(), wanted)
         body = ", ".join(line for line in flat(body).splitlines() if line.strip())
         rows = parse_matrix(f"[{body}]", exercise.scope, place or Place("answer"))
@@ -131,7 +139,7 @@ class OrientationQuestion(Question[Turn]):
         over, values, bare = Floats(numbers(exercise.values)), [], False
         for k, (name, expr) in enumerate(zip(self.form.parts, cells, strict=True)):
             try:
-                value = to_angle(expr, bare="deg") if k in self.form.angles else to_length(expr)
+                value = self._value(k, expr)
             except DimensionError as error:
                 raise UnreadableError(f"{name}: {error.message}") from None
             inside = symbols_of(value)
@@ -142,6 +150,18 @@ class OrientationQuestion(Question[Turn]):
             known = value.substitute(exercise.values) if isinstance(value, Angle) else value
             values.append(known.constant() if isinstance(known, Angle) else over.value(known))
         return Turn(tuple(values), bare)
+
+    def _value(self, k: int, expr: Expr) -> Angle | Expr:
+        """A number of the form as it was typed; the length of a rotation vector is an angle in radians.
+
+        Raises:
+            DimensionError: It has a unit that it cannot have.
+        """
+        if k in self.form.angles:
+            return to_angle(expr, bare="deg")
+        if self.form.name == "rotation-vector" and any(isinstance(one, Unit) for one in walk(expr)):
+            return to_angle(expr)
+        return to_length(expr)
 
     def mark(self, case: Case, reading: Reading[Turn]) -> Mark:
         right, turn = self._right(case), reading.value
@@ -174,6 +194,11 @@ class OrientationQuestion(Question[Turn]):
             if angle_between(self.form.rotation(values), right) > limit
             and angle_between(self.form.rotation(values), typed) <= limit
         )
+
+    def follows(self, case: Case, reading: Reading[Turn], earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
+        from dhcli.checking.diagnosis.following import orientation_follows
+
+        return orientation_follows(case, self.wanted, self.form.rotation(reading.value.values), earlier)
 
     def _right(self, case: Case) -> Rotation[float]:
         truth = truth_of(self.wanted, case)
@@ -209,3 +234,13 @@ class OrientationQuestion(Question[Turn]):
                 Slip("axis-sign", "the axis points the other way", "look at the sense of the turn"),
                 (-x, -y, -z, angle),
             )
+
+
+def _axis_first(text: str) -> str:
+    """`60°, (0, 0, 1)` and `θ = 60°, k = [0; 0; 1]` as the axis and then the angle; another text as it is."""
+    pieces = [_WORD.sub("", _LABEL.sub("", piece)).strip() for _, piece in split(text)]
+    axes = [piece for piece in pieces if piece[:1] in OPENING and piece[-1:] == OPENING[piece[:1]]]
+    if len(pieces) != 2 or len(axes) != 1:  # noqa: PLR2004
+        return text
+    pieces.remove(axes[0])
+    return f"({axes[0][1:-1].replace(';', ',')}), {pieces[0].removeprefix('angle')}"

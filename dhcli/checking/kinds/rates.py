@@ -13,6 +13,7 @@ from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid, floats_in, over
 from dhcli.checking.motion.reading import SPEED, TURNING
 from dhcli.checking.motion.task import jacobian_step
+from dhcli.checking.named import Naming
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
@@ -102,6 +103,9 @@ class RatesQuestion(ColumnsQuestion):
 
     def units(self, case: Case) -> tuple[str, ...]:
         return tuple(TURNING if one.turns else SPEED for one in self.columns(case).each)
+
+    def numbers_named(self, case: Case) -> Naming:
+        return self.motion.joints(case.exercise.robot)
 
     def of_columns(self, case: Case, columns: Columns) -> Grid:
         exercise, kept = case.exercise, self._kept(self.columns(case))

@@ -12,6 +12,7 @@ from dhcli.checking.kinds.linked import needed
 from dhcli.checking.returned import Causes, Judged, Matrices, Overlaid, Points, Reading, Shown
 from dhcli.checking.tables.typed_rows import TypedRow, read_table
 from dhcli.checking.verdicts import Mark
+from dhcli.checking.whole import ends_in_bracket, is_closed
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
@@ -19,7 +20,7 @@ from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.validity import Finding
+from dhcli.kinematics.validity import Finding, InvalidRobotError
 from dhcli.notation.scope import Scope
 
 if TYPE_CHECKING:
@@ -75,10 +76,10 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         if exercise.numeric and robot.variables:
             yield f"in the cell that a joint changes stands its variable: {', '.join(robot.variables)}"
 
-    def is_whole(self, text: str) -> bool:
+    def is_whole(self, text: str, _blank: tuple[int, int]) -> bool:
         *_, last = text.strip().splitlines() or [""]
-        in_one_line = ";" in last.rstrip("; ")
-        return Question.is_whole(self, text) and (text.strip().startswith("[") or "\\end" in text or in_one_line)
+        is_bracketed = text.strip().startswith("[") or ends_in_bracket(text)
+        return is_closed(text) and (is_bracketed or "\\end" in text or ";" in last.rstrip("; "))
 
     def expected(self, case: Case, _style: str = "short") -> str:
         from dhcli.checking.tables.marking import write_table
@@ -186,6 +187,9 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         """
         return leads_of(self.rows(case, reading), self.convention, span, points)
 
+    def arm(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Robot | None:
+        return arm_of(case.exercise.robot, self.rows(case, reading), self.convention)
+
     def overlaid(self, case: Case, reading: Reading[tuple[TypedRow, ...]], values: Values) -> Overlaid:
         from dhcli.checking.tables.answer import robot_of
         from dhcli.kinematics.values import numbers
@@ -217,6 +221,19 @@ def leads_of(
     if not names(chain) <= points.names:
         return None
     return start, end, tuple(fold(chain, over) for over in points.at)
+
+
+def arm_of(robot: Robot | None, rows: tuple[Row, ...], convention: Convention) -> Robot | None:
+    """A robot with other rows in its table; None where it has none in this convention, or they make no robot."""
+    if robot is None or robot.convention is not convention or not rows:
+        return None
+    pairs = zip(robot.links, rows, strict=True)
+    try:
+        return replace(
+            robot, links=tuple(replace(link, moves=moves_of(row, convention), row=row) for link, row in pairs)
+        )
+    except InvalidRobotError:
+        return None
 
 
 def _settled(case: Case, reading: Reading[tuple[TypedRow, ...]]) -> tuple[Row, ...]:

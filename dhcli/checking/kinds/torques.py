@@ -13,6 +13,7 @@ from dhcli.checking.motion.columns import Columns, combined, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid
 from dhcli.checking.motion.reading import FORCE, TORQUE
+from dhcli.checking.named import Naming
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
@@ -81,6 +82,9 @@ class TorquesQuestion(ColumnsQuestion):
 
     def units(self, case: Case) -> tuple[str, ...]:
         return tuple(TORQUE if one.turns else FORCE for one in self.columns(case).each)
+
+    def numbers_named(self, case: Case) -> Naming:
+        return self.motion.joints(case.exercise.robot)
 
     def of_columns(self, _case: Case, columns: Columns) -> Grid:
         six = (*self.force, *self.moment)

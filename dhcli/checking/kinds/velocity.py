@@ -15,6 +15,7 @@ from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid
 from dhcli.checking.motion.reading import SPEED, TURNING
 from dhcli.checking.motion.task import jacobian_step
+from dhcli.checking.named import XYZ, Naming
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place
@@ -86,6 +87,9 @@ class VelocityQuestion(ColumnsQuestion):
 
     def units(self, _case: Case) -> tuple[str, ...]:
         return (TURNING if self.angular else SPEED,) * 3
+
+    def numbers_named(self, _case: Case) -> Naming:
+        return XYZ
 
     def _rates(self, columns: Columns) -> tuple[Expr, ...]:
         if self.motion.rates is not None:

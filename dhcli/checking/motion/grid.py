@@ -9,6 +9,7 @@ from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import general
+from dhcli.checking.credit import only_costs
 from dhcli.checking.exercise import Exercise, Memo
 from dhcli.frozen import frozen
 from dhcli.kinematics.entries import rounded
@@ -93,12 +94,10 @@ class Grid:
             for row, powers in zip(self.rows, self.powers, strict=True)
         )
 
-    def is_same_for_all(self, row: int, column: int) -> bool:
-        """Whether an entry is 0, or a direction cosine of ±1, in symbols, so that it earns nothing."""
-        entry = self.rows[row][column]
-        if not isinstance(entry, Number) or not self.names:
-            return False
-        return not entry.value or (self.cosines and abs(entry.value) == 1 and not self.powers[row][column])
+    def only_costs(self, row: int, column: int) -> bool:
+        """Whether an entry in symbols earns nothing where it is right."""
+        is_cosine = self.cosines and not self.powers[row][column]
+        return only_costs(self.rows[row][column], is_cosine=is_cosine, is_constant=not self.names)
 
     def limits(self, found: Numbers, position: float | None, rotation: float) -> Numbers:
         """The largest errors that count as right: declared ones, or a share of the largest entry of its power.

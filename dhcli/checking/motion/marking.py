@@ -12,8 +12,9 @@ from dhcli.checking.motion.grid import Grid, scale_of, typed
 from dhcli.checking.motion.reading import as_read
 from dhcli.checking.other_unit import InUnit, judged_in, plainly_in
 from dhcli.checking.symbolic import about_equal, counterexample, has_decimals, same
-from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals, without_unit
+from dhcli.checking.tolerance import Place, agreeing, is_rounding_of, judge, typed_decimals, without_unit
 from dhcli.checking.verdicts import AGREEING, APPROXIMATE, TO_DIGITS, UNSOLVED, CellMark, Mark, Verdict, too_few, worst
+from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
 
 
@@ -29,8 +30,10 @@ def mark_grid(case: Case, right: Grid, entries: Entries) -> Mark:
     mark = _marked(exercise, entries, mark_numbers(case, exercise, right, entries))
     other = None if mark.verdict in AGREEING else in_other_unit(case, right, entries, mark.cells)
     if other is None:
-        is_short = mark.verdict in UNSOLVED and _agrees_to_digits(exercise, right, entries, mark.cells)
-        return replace(mark, remarks=(too_few(case.tolerance.decimals),)) if is_short else mark
+        agree = _agreeing(exercise, right, entries)
+        is_short = all(cell.verdict in AGREEING or (cell.row, cell.column) in agree for cell in mark.cells)
+        is_told = is_short and mark.verdict in UNSOLVED
+        return replace(mark, remarks=(too_few(case.tolerance.decimals),)) if is_told else mark
     power = {power for row in right.powers for power in row if power}
     return judged_in(other, mark, exercise.unit, {2: "²", 3: "³"}.get(power.pop(), "") if len(power) == 1 else "")
 
@@ -72,15 +75,16 @@ def in_other_unit(case: Case, right: Grid, entries: Entries, own: Sequence[CellM
     return plainly_in(map(read, exercise.other_units), own, lengths)
 
 
-def _agrees_to_digits(exercise: Exercise, right: Grid, entries: Entries, cells: Sequence[CellMark]) -> bool:
-    """Whether every entry that is not right is the right one to the digits typed, however few."""
+def _agreeing(exercise: Exercise, right: Grid, entries: Entries) -> dict[Place, bool]:
+    """Where entries are the right ones with fewer decimals, and whether they have enough of these."""
     truth = right.numbers(exercise)
-
-    def agrees(r: int, c: int) -> bool:
-        number, unit = without_unit(entries[r][c].typed, scale_of(exercise, right.powers[r][c]))
-        return is_rounding_of(number, truth[r][c] / unit, least=0)
-
-    return all(cell.verdict in AGREEING or (cell.counted and agrees(cell.row, cell.column)) for cell in cells)
+    numbers: dict[Place, tuple[Expr, float]] = {}
+    for r, row in enumerate(entries):
+        for c, entry in enumerate(row):
+            if not right.only_costs(r, c):
+                number, unit = without_unit(entry.typed, scale_of(exercise, right.powers[r][c]))
+                numbers[r, c] = number, truth[r][c] / unit
+    return agreeing(numbers)
 
 
 def _in_rows(cells: Sequence[str], width: int) -> str:
@@ -91,7 +95,7 @@ def _in_symbols(exercise: Exercise, right: Grid, entries: Entries) -> tuple[Cell
     shown = right.on_sheet(exercise)
 
     def cell(entry: Entry, r: int, c: int) -> CellMark:
-        truth, counted = right.rows[r][c], not right.is_same_for_all(r, c)
+        truth, counted = right.rows[r][c], not right.only_costs(r, c)
         expected, note = write(shown[r][c], "short", exercise.writing), ""
         verdict = Verdict.WRONG
         read = partial(as_read, exercise, right.powers[r][c])
@@ -110,7 +114,7 @@ def mark_numbers(case: Case, exercise: Exercise, right: Grid, entries: Entries) 
     """Each entry of an answer in numbers; the exercise says the unit in which it was read."""
     tolerance = case.tolerance
     found, truth = values_of(entries, exercise), right.numbers(exercise)
-    limits = right.limits(truth, tolerance.position, tolerance.rotation)
+    limits, agree = right.limits(truth, tolerance.position, tolerance.rotation), _agreeing(exercise, right, entries)
 
     def cell(entry: Entry, r: int, c: int) -> CellMark:
         scale = scale_of(exercise, right.powers[r][c])
@@ -119,17 +123,20 @@ def mark_numbers(case: Case, exercise: Exercise, right: Grid, entries: Entries) 
         enough = tolerance.decimals is not None and (typed_decimals(number) or 0) >= tolerance.decimals
         if verdict is not Verdict.RIGHT and enough and is_rounding_of(number, truth[r][c] / unit, least=0):
             verdict = Verdict.RIGHT
-        elif verdict is not Verdict.RIGHT and is_rounding_of(number, truth[r][c] / unit):
+        elif verdict is not Verdict.RIGHT and agree.get((r, c)):
             verdict = Verdict.ROUNDED
-        counted = not right.is_same_for_all(r, c)
+        is_zero = judge(0.0, truth[r][c], limits[r][c]) is Verdict.RIGHT  # at these values, if not at all
+        counted = not (is_zero or right.only_costs(r, c))
         return CellMark(r, c, verdict, entry.text, typed(truth[r][c], scale, limits[r][c]), counted=counted)
 
     return tuple(cell(entry, r, c) for r, row in enumerate(entries) for c, entry in enumerate(row))
 
 
 def _earned(cells: Sequence[CellMark], *, numeric: bool) -> float:
-    """Share of the credit: that of the entries which are not the same for everybody; others only cost something."""
-    counted = [cell for cell in cells if cell.counted] or list(cells)
-    right = sum(cell.verdict in AGREEING for cell in counted)
+    """Share of the credit: that of the entries which show work; others only cost something."""
+    right = sum(cell.counted and cell.verdict in AGREEING for cell in cells)
+    counted = sum(cell.counted for cell in cells)
     spoiled = sum(not cell.counted and cell.verdict not in AGREEING for cell in cells)
-    return right / (len(counted) + spoiled) if numeric else max(0, right - spoiled) / len(counted)
+    if not counted:
+        return float(not spoiled)
+    return right / (counted + spoiled) if numeric else max(0, right - spoiled) / counted

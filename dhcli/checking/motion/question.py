@@ -17,10 +17,12 @@ from dhcli.checking.motion.grid import Grid, Numbers, alike, general_floats_in, 
 from dhcli.checking.motion.in_entries import sign_causes, signs, swapped, term_causes
 from dhcli.checking.motion.marking import in_other_unit, mark_grid, mark_numbers
 from dhcli.checking.motion.reading import read_cells
+from dhcli.checking.named import Naming
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.symbolic import same
 from dhcli.checking.verdicts import Mark
+from dhcli.checking.whole import is_whole_matrix
 from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
@@ -109,10 +111,19 @@ class MotionQuestion(Question[Entries]):
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Entries:
         """The entries in the shape of the right answer."""
-        return read_cells(case.exercise, self.right(case).powers, text, place, self.units(case))
+        names = self.numbers_named(case)
+        return read_cells(case.exercise, self.right(case).powers, text, place, self.units(case), names)
+
+    def is_whole(self, text: str, blank: tuple[int, int]) -> bool:
+        """All rows, or all numbers of a column."""
+        return is_whole_matrix(text, blank)
 
     def units(self, _case: Case) -> tuple[str, ...]:
         """The unit of each number, for a list of rates or forces."""
+        return ()
+
+    def numbers_named(self, _case: Case) -> Naming:
+        """What the rows are called, those of a list or of a Jacobian."""
         return ()
 
     def mark(self, case: Case, reading: Reading[Entries]) -> Mark:

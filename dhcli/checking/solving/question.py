@@ -11,7 +11,7 @@ from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.solving.goal import Target, of_robot, solutions
 from dhcli.checking.solving.reading import Vector, spelled
-from dhcli.checking.solving.vectors import Range
+from dhcli.checking.solving.vectors import Range, chain_of
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
@@ -98,9 +98,6 @@ class WantedJoints(GoalQuestion[Vectors]):
 
     def _made_range(self, case: Case) -> Range:
         from dhcli.algebra.floats import Floats
-        from dhcli.kinematics.forward import put_in
-        from dhcli.kinematics.frames import between
-        from dhcli.kinematics.merge import merge
         from dhcli.kinematics.values import numbers
 
         exercise = case.exercise
@@ -120,6 +117,6 @@ class WantedJoints(GoalQuestion[Vectors]):
             tuple(frozenset(name for way in ways for name in way.joints) for ways in found.free),
             exercise,
             sum(lengths) or max((abs(row[3]) for row in rows[:3]), default=1.0),
-            merge(put_in(between(robot, *self.target.ends(robot)), of_robot(robot, known))),
+            chain_of(robot, self.target, exercise),
             numbers(of_robot(robot, known)),
         )

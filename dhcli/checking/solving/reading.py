@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 
 from dhcli.algebra.floats import Floats
@@ -27,6 +28,8 @@ from dhcli.regex import regex
 _LABEL = regex(r"(?P<name>[^\W\d]\w*)\s*=(?!=)")
 _TEXT = regex(r"\A\s*(?P<name>[^\W\d]\w*)\s*=\s*(?=\[|\([^()]*[,;|])")
 _NUMBERED = regex(r"(?m)^[ \t]*1?\d\.[ \t]+(?=[(\[+−-]?[\w.])")  # noqa: RUF001
+_BESIDE = regex(r"(?<![\w.=])(?P<name>[^\W\d]\w*)[ \t]+(?=[+−-]?[\d.(√])")  # noqa: RUF001
+"""What may name the joint of the value behind it, `θ1 30°`."""
 _ABOUT = regex(r"(?<=\w)[ \t]*≈")
 _COLON = regex(r"(?<=\d)[ \t]*:(?=[ \t]*[(\d.+−-])")  # noqa: RUF001
 _ROW_LABEL = regex(
@@ -78,7 +81,7 @@ def read_vectors(
         UnreadableError: A row has too few or too many values, an angle stands for a length, a name has no value.
         NotationError: It cannot be read.
     """
-    text = _TEXT.sub("", _tidied(text, joints, several=several))
+    text = _with_signs(robot, _TEXT.sub("", _tidied(text, joints, several=several)))
     if _LABEL.search(text):
         rows = _labelled(exercise, robot, joints, text, place)
         return [_vector(exercise, robot, joints, row) for row in rows]
@@ -171,6 +174,18 @@ def _groups(text: str) -> list[str]:
         elif not depth and letter not in " ,;\t":
             return []
     return found if all("," in group or ";" in group for group in found) else []
+
+
+def _with_signs(robot: Robot, text: str) -> str:
+    """`θ1 30°, θ2 45°` with the signs that these names lack; a value is a number, and no product of a joint."""
+
+    def named(match: re.Match[str]) -> str:
+        try:
+            return f"{joint_called(robot, match['name'])} = "
+        except DhcliError:
+            return match[0]
+
+    return text if "=" in text else _BESIDE.sub(named, text)
 
 
 def _labelled(exercise: Exercise, robot: Robot, joints: Sequence[str], text: str, place: Place) -> list[list[Expr]]:

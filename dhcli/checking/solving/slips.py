@@ -14,7 +14,7 @@ from dhcli.checking.exercise import Case
 from dhcli.checking.orientations import transposed
 from dhcli.checking.returned import Reading
 from dhcli.checking.solving.derived import derivation_of, slipped, values_at
-from dhcli.checking.solving.goal import Rows, solve
+from dhcli.checking.solving.goal import Rows, Target, solve
 from dhcli.checking.solving.question import WantedJoints
 from dhcli.checking.solving.reading import Vector
 from dhcli.checking.solving.vectors import Range, apart
@@ -30,6 +30,7 @@ SAME = 2e-3
 
 OTHER_BRANCH = Slip("other-branch", "this is a solution of another branch", "which way does the arm bend?")
 OUTSIDE = Slip("out-of-limits", "a joint is outside its limits", "look at the limits of the joints")
+_OF_SOLUTIONS = (OTHER_BRANCH, OUTSIDE)
 
 
 @frozen
@@ -52,15 +53,28 @@ def showing(question: WantedJoints, case: Case) -> tuple[Wrong, ...]:
     return case.memo.of(("slips", question), lambda: tuple(_showing(question, case)))
 
 
-def gives(question: WantedJoints, case: Case, wrong: Wrong, typed: Sequence[Vector]) -> bool:
-    """Whether a slip gives what was typed."""
+def causes_of(question: WantedJoints, case: Case, typed: Sequence[Vector]) -> tuple[Slip, ...]:
+    """The slips that give what was typed, which is wrong.
+
+    Of one vector it is seen by where it leads whether it is that of another pose: nothing is solved for that.
+    """
     field = question.range_of(case)
     rows = [one.values for one in typed]
-    if question.which != "all":
-        return any(_same(field, rows[0], row) for row in wrong.rows)
-    if len(rows) != len(wrong.rows):
-        return False
-    return all(any(_same(field, one, other) for other in wrong.rows) for one in rows)
+    if question.which == "all":
+        wrong = [one for one in showing(question, case) if len(one.rows) == len(rows)]
+        return tuple(one.slip for one in wrong if all(any(_same(field, a, b) for b in one.rows) for a in rows))
+    if not field.solutions:
+        return ()
+    is_solution = any(_same(field, rows[0], true) for true in field.solutions)
+    found = [
+        slip
+        for slip, others in case.memo.of(("joint slips", question), lambda: tuple(_in_work(question, case, field)))
+        if (slip in _OF_SOLUTIONS or not is_solution) and any(_same(field, rows[0], other) for other in others)
+    ]
+    if not is_solution:
+        elsewhere = ((one.slip, field.elsewhere(one.robot, one.target, one.rows)) for one in _elsewhere(field))
+        found += [slip for slip, there in elsewhere if there.verdict(rows[0], case.tolerance) is Verdict.RIGHT]
+    return tuple({slip.name: slip for slip in reversed(found)}.values())[::-1]
 
 
 def _same(field: Range, one: Sequence[float], other: Sequence[float]) -> bool:
@@ -76,7 +90,7 @@ def _showing(question: WantedJoints, case: Case) -> Iterator[Wrong]:
         if not kept or slip.name in seen:
             continue
         if question.which != "all":
-            if slip not in {OTHER_BRANCH, OUTSIDE}:  # what reaches the pose has another reason to be wrong
+            if slip not in _OF_SOLUTIONS:  # what reaches the pose has another reason to be wrong
                 kept = tuple(row for row in kept if not any(_same(field, row, true) for true in right))
             kept = tuple(row for row in kept if _is_wrong(question, case, (row,)))
             if not kept or not right:
@@ -108,9 +122,16 @@ def _different(field: Range, rows: Sequence[Joints]) -> tuple[Joints, ...]:
 
 def _mistakes(question: WantedJoints, case: Case, field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
     """Every slip with the joint vectors it leads to, right ones among them."""
+    yield from case.memo.of(("joint slips", question), lambda: tuple(_in_work(question, case, field)))
+    for one in _elsewhere(field):
+        yield one.slip, one.solved(case, field)
+
+
+def _in_work(question: WantedJoints, case: Case, field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
+    """Slips on the way from the pose to the joint values."""
     yield from _of_formulas(question, case, field)
-    yield from _of_pose(case, field)
     yield from _absolute(field)
+    yield from _turned_round(field)
     yield from _out_of_order(field)
     wanted = question.wanted(case)
     others = [q for k, q in enumerate(field.solutions) if k not in wanted]
@@ -132,6 +153,15 @@ def _absolute(field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
                 words = f"{name} is counted from where {before} is, not from the link before"
                 slip = Slip(f"absolute-angle {name}", words, f"from which direction is {name} counted?")
                 yield slip, [(*q[:j], q[i] + q[j], *q[j + 1 :]) for q in field.solutions]
+
+
+def _turned_round(field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
+    """One joint with the other sign, or all of them."""
+    for k, name in enumerate(field.joints):
+        slip = Slip(f"joint-sign {name}", f"the sign of {name} is turned round", f"which way is {name} positive?")
+        yield slip, [(*q[:k], -q[k], *q[k + 1 :]) for q in field.solutions]
+    slip = Slip("joint-signs", "the signs of all joints are turned round", "which way are the joints positive?")
+    yield slip, [tuple(-one for one in q) for q in field.solutions]
 
 
 def _out_of_order(field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
@@ -170,35 +200,51 @@ def _of_formulas(question: WantedJoints, case: Case, field: Range) -> Iterator[t
         yield one.slip, vectors(one.derivation)
 
 
-def _of_pose(case: Case, field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
-    """Slips before the first formula: another pose, another robot."""
-    robot, target, rows = field.robot, field.target, field.rows
-    at = [robot.variables.index(name) for name in field.joints]
+@frozen
+class Elsewhere:
+    """A slip before the first formula: another pose, or another robot.
 
-    def found(other: Robot, pose: Rows, **changes: object) -> list[Joints]:
+    Attributes:
+        slip: The slip.
+        robot: The robot that is solved for.
+        target: What is asked of it.
+        rows: The pose, shape (4, 4) [m].
+    """
+
+    slip: Slip
+    robot: Robot
+    target: Target
+    rows: Rows
+
+    def solved(self, case: Case, field: Range) -> list[Joints]:
+        """Every vector that it leads to; none where nobody can say."""
+        at = [field.robot.variables.index(name) for name in field.joints]
         try:
-            answer = solve(other, replace(target, **changes), case.exercise.known, pose)  # type: ignore[arg-type]
+            answer = solve(self.robot, self.target, case.exercise.known, self.rows)
         except DhcliError:
             return []
         return [tuple(float(row[k]) for k in at) for row in answer.q]
 
+
+def _elsewhere(field: Range) -> Iterator[Elsewhere]:
+    """The pose as its inverse, the tool left on, the table of the other convention."""
+    robot, target, rows = field.robot, field.target, field.rows
     start, end = target.ends(robot)
     if target.task in {"pose", "orientation"}:
         turn = transposed([row[:3] for row in rows[:3]])
         back = tuple((*line, -sum(a * row[3] for a, row in zip(line, rows[:3], strict=True))) for line in turn)
         slip = Slip("inverse", "the pose was read the other way round, as its inverse", "seen from which frame?")
-        yield slip, found(robot, (*back, rows[3]) if target.task == "pose" else (*((*t, 0.0) for t in turn), rows[3]))
+        upper = back if target.task == "pose" else tuple((*line, 0.0) for line in turn)
+        yield Elsewhere(slip, robot, target, (*upper, rows[3]))
     if end == "tool" and robot.tool and target.task == "pose":
         slip = Slip("tool-kept", "the tool was not taken off: T is where the tool stands", "T_06 is T inv(tool)")
-        yield slip, found(robot, rows, frames=(start, [f for f in robot.frames if f.isdecimal()][-1]))
+        last = [frame for frame in robot.frames if frame.isdecimal()][-1]
+        yield Elsewhere(slip, robot, replace(target, frames=(start, last)), rows)
     if robot.convention in OTHER:
         try:
             other = replace(robot, convention=OTHER[robot.convention])
         except DhcliError:
             return
-        slip = Slip(
-            "convention",
-            f"the table was read in {OTHER[robot.convention].value} DH",
-            "in which order do a row's four moves stand?",
-        )
-        yield slip, found(other, rows)
+        words = f"the table was read in {OTHER[robot.convention].value} DH"
+        slip = Slip("convention", words, "in which order do a row's four moves stand?")
+        yield Elsewhere(slip, other, target, rows)

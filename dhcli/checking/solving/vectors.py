@@ -11,7 +11,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.orientations import angle_between, angle_of, turned
 from dhcli.checking.other_unit import RADIANS, is_clear
-from dhcli.checking.solving.goal import Rows, Target
+from dhcli.checking.solving.goal import Rows, Target, of_robot
 from dhcli.checking.solving.reading import Vector
 from dhcli.checking.tolerance import CLOSE_FACTOR, Tolerance
 from dhcli.checking.verdicts import Verdict
@@ -75,6 +75,15 @@ def shows_unit(field: Range, meant: Sequence[Vector], unit: str, tolerance: Tole
     )
 
 
+def chain_of(robot: Robot, target: Target, exercise: Exercise) -> Chain:
+    """The moves between the frames asked about, with the values of an exercise."""
+    from dhcli.kinematics.forward import put_in
+    from dhcli.kinematics.frames import between
+    from dhcli.kinematics.merge import merge
+
+    return merge(put_in(between(robot, *target.ends(robot)), of_robot(robot, exercise.known)))
+
+
 def apart(robot: Robot, joints: Sequence[str], one: Sequence[float], other: Sequence[float]) -> list[float]:
     """By how much each joint differs, whole turns aside [rad, m]."""
     return [
@@ -110,6 +119,11 @@ class Range:
     size: float
     chain: Chain
     lengths: Mapping[str, Angle | float]
+
+    def elsewhere(self, robot: Robot, target: Target, rows: Rows) -> Range:
+        """The same for another robot or another pose, of which no solutions are known."""
+        chain = chain_of(robot, target, self.exercise)
+        return replace(self, robot=robot, target=target, rows=rows, chain=chain, solutions=(), free=())
 
     def limit(self, tolerance: Tolerance) -> float:
         """What a length may be off [m]."""

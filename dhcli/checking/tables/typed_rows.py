@@ -9,7 +9,7 @@ from itertools import islice
 
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import general
-from dhcli.checking.pasted import LARGEST, UnreadableError, refuse_long, without_label
+from dhcli.checking.pasted import LARGEST, UnreadableError, refuse_long, without_label, without_words
 from dhcli.checking.tables.spelling import ANGLES, Heads, in_order, keyed_rows, plain_text, without_heads, without_stars
 from dhcli.errors import NotationError, Place, plural
 from dhcli.frozen import frozen
@@ -82,7 +82,7 @@ def read_table(
     refuse_long(text)
     scope = scope or robot.scope
     columns = tuple(columns or robot.columns)
-    source = Source(plain_text(without_label(keyed_rows(text))), place or Place("answer"))
+    source = Source(plain_text(without_label(without_words(keyed_rows(text), scope))), place or Place("answer"))
     try:
         tokens = without_stars(tokenize(source, most=LARGEST), scope, robot.variables)
         tokens, heads = without_heads(in_order(tokens, columns), Heads(columns, unit=unit))

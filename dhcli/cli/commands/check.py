@@ -76,6 +76,7 @@ def check(
     from dhcli.checking.variants import variant_of
     from dhcli.cli.shell.overlaid import check_overlaid, draw_over
     from dhcli.cli.shell.quiz import exercise_of, exit_code, is_asked, remember, with_tolerance
+    from dhcli.files.reading import read_text
     from dhcli.kinematics.limits import warnings
 
     delivery = (replace(out, overwrite=False) if draw and out.output is None else out).delivery("check", "marks")
@@ -83,18 +84,16 @@ def check(
         from dhcli.cli.shell.pictures import check_picture
 
         check_picture(draw, overwrite=out.overwrite, page="a page shows one table")
-    answer = _answer(asked, given)
+    is_given = _is_given(asked, given)
+    if draw is not None and not is_given:
+        raise DhcliError("--draw draws an answer that was given", "name a sheet, --answer, --table or --frames")
+    answer = read_text("-") if given.answer == "-" else given.answer
     exercise, stated = exercise_of(chosen, asked, answer or "")
     warned = tuple(warnings(exercise.robot, exercise.given)) if is_asked(chosen, asked) and exercise.robot else ()
     exercise = with_tolerance(exercise, near)
-    ways = sum(source is not None for source in (given.sheet, answer, asked.table, asked.frames))
-    if ways > 1:
-        raise DhcliError("a sheet, --answer, --table and --frames are ways to give an answer", "use one of them")
     if draw is not None:
         check_overlaid(exercise, given.part)
-    if not ways:
-        if draw is not None:
-            raise DhcliError("--draw draws an answer that was given", "name a sheet, --answer, --table or --frames")
+    if not is_given:
         delivery.warn(warned)
         return _walk(variant_of(Judge(exercise), variant), given.part, why=why)
     marked, answers = _marked(exercise, given, stated if answer is None else answer, variant)
@@ -105,19 +104,20 @@ def check(
     return exit_code(marked.verdict)
 
 
-def _answer(asked: RobotQuestion, given: Given) -> str | None:
-    """The answer that was typed, or stands on standard input.
+def _is_given(asked: RobotQuestion, given: Given) -> bool:
+    """Whether there is an answer to check.
 
     Raises:
-        DhcliError: What belongs to `--ik` stands without it, or standard input is wanted twice.
+        DhcliError: There are several, what belongs to `--ik` stands without it, or standard input is wanted twice.
     """
-    from dhcli.files.reading import read_text
-
     if not asked.ik and (asked.target, asked.position, asked.branch) != (None, None, None):
         raise DhcliError("--target, --position and --branch belong to --ik", "add --ik")
     if asked.ik and asked.target == given.answer == "-":
         raise DhcliError("the pose and the answer cannot both come from standard input", "save one in a file")
-    return read_text("-") if given.answer == "-" else given.answer
+    ways = sum(source is not None for source in (given.sheet, given.answer, asked.table, asked.frames))
+    if ways > 1:
+        raise DhcliError("a sheet, --answer, --table and --frames are ways to give an answer", "use one of them")
+    return ways == 1
 
 
 def _marked(exercise: Exercise, given: Given, answer: str, variant: str | None) -> tuple[SheetMark, dict[str, str]]:

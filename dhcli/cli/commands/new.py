@@ -55,8 +55,8 @@ def robot(
         typer.Option(
             "--from",
             metavar="FILE",
-            help="Make it of this: a DH table as CSV, Markdown or LaTeX, a listing with SerialLink or DHRobot, "
-            "kinematics YAML of ROS, or a URDF; - is stdin.",
+            help="Make it of this: a DH table as CSV, Markdown, LaTeX, YAML or JSON, a listing with SerialLink or "
+            "DHRobot, kinematics YAML of ROS, or a URDF; - is stdin.",
         ),
     ] = None,
     units: Annotated[
@@ -69,7 +69,8 @@ def robot(
     """Write a commented robot file that loads, for you to change, or one that is made of another description."""
     from dhcli.cli.shell.console import tell
     from dhcli.errors import DhcliError
-    from dhcli.files.library.lookup import OWN, is_own, typed_path
+    from dhcli.files.library.entries import is_own
+    from dhcli.files.library.lookup import OWN, typed_path
     from dhcli.files.yaml.templates import check_name, robot_template
 
     if from_ is not None:
@@ -108,9 +109,10 @@ def _imported(path: str, wish: Wish) -> str:
     from dhcli.files.reading import read_text, source_of
     from dhcli.files.yaml.robots import XML_LIMIT
     from dhcli.files.yaml.writing import robot_text
+    from dhcli.lint.lengths import told_once
 
     robot = import_robot(read_text(path, limit=XML_LIMIT), source_of(path), wish)
-    for remark in robot.remarks:
+    for remark in (*robot.remarks, *told_once(robot, "" if wish.units else "--units mm takes bare lengths as such")):
         tell(f"note: {remark}")
     if lacking := [name for name, value in robot.parameters.items() if value is None]:
         tell(f"note: {', '.join(lacking)} {'has' if len(lacking) == 1 else 'have'} no value yet, see parameters:")
@@ -128,7 +130,8 @@ def exercise(
 ) -> None:
     """Write a commented exercise file with blanks that lint points at, for you to fill in."""
     from dhcli.errors import DhcliError
-    from dhcli.files.library.lookup import Kind, is_path, typed_path
+    from dhcli.files.library.entries import Kind
+    from dhcli.files.library.lookup import is_path, typed_path
     from dhcli.files.yaml.exercise_template import exercise_template
     from dhcli.files.yaml.robots import load_robot
 

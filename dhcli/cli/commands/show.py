@@ -53,11 +53,18 @@ def show(
     result = _load(kind, chosen, variant)
     if draw and (kind == "exercise" or delivery.chosen(kind) != "table" or out.output is not None):
         raise DhcliError("--draw puts a picture under the table of a robot or a linkage", "dhcli draw writes files")
-    delivery.hand_over(kind, result, getattr(result, "remarks", ()))
+    delivery.hand_over(kind, result, _said(cast("Robot", result)) if kind == "robot" else ())
     if draw:
         from dhcli.cli.shell.drawn import find
 
         _draw(cast("Robot", result) if kind == "robot" else find(chosen))
+
+
+def _said(robot: Robot) -> tuple[str, ...]:
+    """What was taken for something else when a robot was read, and lengths that no arm has."""
+    from dhcli.lint.lengths import told_once
+
+    return (*robot.remarks, *told_once(robot))
 
 
 def _draw(what: Robot | Linkage) -> None:
@@ -87,12 +94,13 @@ def _load(kind: str, chosen: Chosen, variant: str | None) -> object:
         return load_linkage(name)
     from dhcli.cli.shell.given import robot_of
     from dhcli.errors import UnknownNameError
-    from dhcli.files.library.kinds import unknown
-    from dhcli.files.library.lookup import Kind
 
     try:
         return robot_of(chosen)
     except UnknownNameError as error:
         if chosen.base is not None or chosen.tip is not None:
             raise  # it may be a link that is not known
+        from dhcli.files.library.entries import Kind
+        from dhcli.files.library.near import unknown
+
         raise unknown(name, tuple(Kind), error) from None

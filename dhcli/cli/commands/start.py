@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import shlex
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from dhcli.cli.shell.options import ExerciseName, Variant
 from dhcli.cli.shell.written import Overwrite, output_option
+
+if TYPE_CHECKING:
+    from dhcli.checking.exercise import Exercise
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -38,13 +41,12 @@ def start(
     overwrite: Overwrite = False,
 ) -> None:
     """Write an answer sheet for an exercise, or one for each student of a class."""
-    from dhcli.checking.figures import subject
     from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
     from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import write_file
     from dhcli.errors import DhcliError
-    from dhcli.files.library.lookup import YAML
+    from dhcli.files.library.entries import YAML
     from dhcli.files.yaml.exercises import load_exercise
     from dhcli.files.yaml.sheets import write_sheet
     from dhcli.render.endings import check_ending
@@ -63,10 +65,17 @@ def start(
         write_out(text)
         return
     check_ending(output, "yaml")
-    named = shlex.quote(name) if name.endswith(YAML) else exercise.id
     path = output or f"{exercise.file_name}.sheet.yaml"
     write_file(path, text, overwrite=overwrite, instead="it may hold answers: -o OTHER.yaml writes another; ")
     tell(f"wrote {path}")
+    _tell_next(exercise, shlex.quote(name) if name.endswith(YAML) else exercise.id, path, variant)
+
+
+def _tell_next(exercise: Exercise, named: str, path: str, variant: str | None) -> None:
+    """What is typed next: for a picture, and when the sheet is filled in."""
+    from dhcli.checking.figures import subject
+    from dhcli.cli.shell.console import tell
+
     if pictured := subject(exercise):
         drawn = f" --variant {shlex.quote(variant)}" if variant else ""
         tell(f"dhcli draw {named}{drawn} draws {pictured}")

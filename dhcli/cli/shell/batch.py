@@ -25,7 +25,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.tally import Tally
 from dhcli.render.code.rows import Layout
 from dhcli.render.paper import Paper
-from dhcli.render.text.problems import warning_line
+from dhcli.render.text.problems import gathered, others_text, warning_line
 from dhcli.render.text.progress import row_progress
 
 if TYPE_CHECKING:
@@ -153,7 +153,9 @@ class BadRows:
             return
         paper = Paper.of(sys.stderr)
         lines = [warning_line(f"left out {self.count} of {plural(good + self.count, 'row')}:", paper)]
-        lines += [f"  {paper.spell(f'{problem.place}: {problem.message}')}\n" for problem in self.problems]
+        for problem, places in gathered(self.problems):
+            more = f", the same {others_text(places)}" if places else ""
+            lines.append(f"  {paper.spell(f'{problem.place}: {problem.message}{more}')}\n")
         listed = len({(problem.place.source, problem.place.line) for problem in self.problems if problem.place})
         if self.count > listed:
             lines.append(f"  and {plural(self.count - listed, 'row')} more\n")

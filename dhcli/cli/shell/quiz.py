@@ -33,8 +33,8 @@ def exercise_of(chosen: Chosen, asked: RobotQuestion, answer: str = "") -> tuple
         DhcliError: Options of a question stand with an exercise, or a robot without a question.
     """
     from dhcli.cli.shell.given import robot_of
-    from dhcli.files.library.kinds import kind_of, unknown
-    from dhcli.files.library.lookup import Kind
+    from dhcli.files.library.entries import Kind
+    from dhcli.files.library.kinds import kind_of
     from dhcli.files.yaml.exercises import load_exercise
 
     name = chosen.robot
@@ -47,6 +47,8 @@ def exercise_of(chosen: Chosen, asked: RobotQuestion, answer: str = "") -> tuple
     try:
         robot = robot_of(chosen)
     except UnknownNameError as error:
+        from dhcli.files.library.near import unknown
+
         raise unknown(name, (Kind.ROBOTS, Kind.EXERCISES), error) from None
     return _about(robot, chosen, asked, answer)
 

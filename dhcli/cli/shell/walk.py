@@ -174,6 +174,7 @@ class _Walk:
     def ask(self, part: Part) -> str | Step:
         """The answer to a part, or where to go without one."""
         lines: list[str] = []
+        blank = part.question.blank(self.judge.exercise)
         while True:
             line = self.typing.line("... " if lines else f"{self.paper.spell(part.id)}> ")
             if line is None:
@@ -191,10 +192,9 @@ class _Walk:
                     self.write(GOES_ON, "dim")
                 continue
             lines.append(line)
-            if not line.strip() or part.question.is_whole("\n".join(lines)):
+            if not line.strip() or part.question.is_whole("\n".join(lines), blank):
                 break
-        rows, _ = part.question.blank(self.judge.exercise)
-        self.typing.keep(recalled(lines, is_matrix=part.question.in_rows or rows > 1))
+        self.typing.keep(recalled(lines, is_matrix=part.question.in_rows or blank[0] > 1))
         return "\n".join(lines)
 
     def tell(self, part: Part, word: str) -> None:

@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from dhcli.errors import FileError, Place, Problem, UnknownNameError, did_you_mean
 from dhcli.files.foreign.forms import Form, form_of, told
+from dhcli.files.foreign.keyed import keyed_rows
 from dhcli.files.foreign.kinematics import read_kinematics
 from dhcli.files.foreign.listing import read_listing
-from dhcli.files.foreign.rows import Reader, Whole, robot_of_rows, scope_of
-from dhcli.files.foreign.tables import read_table
+from dhcli.files.foreign.rows import Reader, RowText, Whole, robot_of_rows, scope_of
+from dhcli.files.foreign.tables import first_row, read_table
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.frozen import frozen
-from dhcli.kinematics.conventions import Convention, convention_hint, conventions_in
+from dhcli.kinematics.conventions import COLUMNS, Convention, convention_hint, conventions_in
 from dhcli.kinematics.describe.asked import Asked
 from dhcli.kinematics.describe.description import describe
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.quantity import LENGTH_UNITS
+from dhcli.notation.quarters import Slight
 
 
 @frozen
@@ -51,7 +54,7 @@ def import_robot(text: str, source: str, wish: Wish) -> Robot:
     """
     convention = _convention(wish.convention)
     if wish.units and wish.units not in LENGTH_UNITS:
-        hint = did_you_mean(wish.units, LENGTH_UNITS) or f"known: {', '.join(LENGTH_UNITS)}"
+        hint = did_you_mean(wish.units, LENGTH_UNITS)
         raise UnknownNameError(f"{wish.units} is no unit of length", hint)
     form = form_of(text)
     if form not in (Form.URDF, Form.XACRO) and (wish.base or wish.tip):
@@ -69,27 +72,59 @@ def import_robot(text: str, source: str, wish: Wish) -> Robot:
         case Form():
             raise FileError(told(form, source))
         case None:
-            hint = (
-                "dhcli reads DH tables as CSV, Markdown or LaTeX, SerialLink listings, kinematics YAML of ROS, and URDF"
-            )
-            raise FileError(Problem("is none of the forms that are read", Place(source), hint))
+            return _from_rows(text, source, wish, convention)
     return found if convention in (None, found.convention) else _described(found, convention)
 
 
 def _from_table(text: str, source: str, wish: Wish, convention: Convention | None) -> Robot:
     heads, rows = read_table(text, source, wish.units)
-    said = heads.convention or convention
-    if said is None or (convention is not None and said is not convention):
-        place = Place(source, heads.line, 1, text.split("\n")[heads.line - 1])
-        if convention is Convention.PRODUCT or said is None:
-            message = "a table does not say which convention it is in"
-            hint, above = "add --convention standard or --convention modified", text.split("\n")[: heads.line - 1]
-            if len(named := [*conventions_in(" ".join(above))]) == 1:
-                hint = f"the text above it says {named[0]}: add --convention {named[0]}"
-            raise FileError(Problem(message, place, hint))
+    lines = text.split("\n")
+    place = Place(source, heads.line, 1, lines[heads.line - 1])
+    said = heads.convention or _wanted(convention, place, "\n".join(lines[: heads.line - 1]))
+    if convention not in (None, said):
+        if convention is Convention.PRODUCT:
+            raise _untold(place, "")
         raise FileError(Problem(f"these heads are those of the {said} convention", place, f"--convention {said}"))
-    whole = Whole(wish.name, wish.name, f"the table {source}", said)
+    return _of_rows(rows, source, wish, said, heads.besides)
+
+
+def _from_rows(text: str, source: str, wish: Wish, convention: Convention | None) -> Robot:
+    """The robot of a file that no other form fits: of rows with keys, if it has any."""
+    rows, besides = keyed_rows(text, source, wish.units)
+    if rows:
+        return _of_rows(rows, source, wish, _wanted(convention, rows[0].place, text), besides)
+    if (line := first_row(text)) is not None:
+        message = "are these the rows of a DH table? they have no heads"
+        hint = f"name the columns in a line above, in their order: {', '.join(COLUMNS)}"
+        raise FileError(Problem(message, Place(source, line, None, text.split("\n")[line - 1]), hint))
+    hint = "DH tables as CSV, Markdown, LaTeX, YAML or JSON, SerialLink listings, kinematics YAML of ROS, and URDF"
+    raise FileError(Problem("is none of the forms that are read", Place(source), f"dhcli reads {hint}"))
+
+
+def _wanted(convention: Convention | None, place: Place, around: str) -> Convention:
+    """The convention that a person says a table is in.
+
+    Raises:
+        FileError: They do not; the hint has the one that the text around speaks of.
+    """
+    if convention is None or convention is Convention.PRODUCT:
+        raise _untold(place, around)
+    return convention
+
+
+def _untold(place: Place, around: str) -> FileError:
+    hint = "add --convention standard or --convention modified"
+    if len(named := [*conventions_in(around)]) == 1:
+        hint = f"the text above it says {named[0]}: add --convention {named[0]}"
+    return FileError(Problem("a table does not say which convention it is in", place, hint))
+
+
+def _of_rows(rows: Sequence[RowText], source: str, wish: Wish, convention: Convention, besides: Sequence[str]) -> Robot:
+    """The robot of the rows of a table."""
     reader = Reader(scope_of(cell.text for row in rows for cell in row.cells.values()))
+    if besides:
+        reader.remarks.append(Slight(f"left out: {', '.join(besides)}"))
+    whole = Whole(wish.name, wish.name, f"the table {source}", convention)
     return robot_of_rows(reader, rows, whole, wish.joints.strip().upper())
 
 

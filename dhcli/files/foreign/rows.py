@@ -24,6 +24,8 @@ from dhcli.regex import regex
 
 _WORD = regex(r"(?<!\w)\\?[^\W\d](?:_\{[^{}]{1,20}\}|\w)*")
 _STAR = regex(r"(?<=[\w})])[ ]?\^?\*(?=[ ]*(?:$|[-+−]))")  # noqa: RUF001  a minus sign
+_ALONE = frozenset(("*", "var", "var.", "variable"))
+"""Cells that say only that they are the variable of their row."""
 _NO_NAMES = RESERVED | UNITS | {"π"}
 
 
@@ -42,7 +44,7 @@ class RowText:
 
     Attributes:
         place: Where it stands.
-        cells: The cells that are there, by column; `offset` is added to the variable.
+        cells: The cells that are there, by column; `offset` is added to the variable, `lower` and `upper` are limits.
         kind: R, P or F where the file says what its joint is; else empty. Where no variable stands in theta, or in d of
             a slide, what stands there is added to one.
     """
@@ -101,6 +103,9 @@ def robot_of_rows(reader: Reader, rows: Sequence[RowText], whole: Whole, joints:
     used = names(chain) - set(variables)
     parameters, derived = reader.parameters(used, whole.values, turning)
     limits = {reader.variables[i]: pair for i, pair in whole.limits.items() if i in reader.variables}
+    for i, name in reader.variables.items():
+        if (pair := reader.limits(rows[i - 1], is_angle=name in turning)) is not None:
+            limits[name] = pair
     if reader.problems:
         raise FileError(reader.problems)
     return Robot(
@@ -148,6 +153,9 @@ class Reader:
 
     def row(self, row: RowText, number: int, kind: str) -> Row:
         """One row; its variable is noted."""
+        for column, letter in (("theta", "R"), ("d", "P")):
+            if (cell := row.cells.get(column)) is not None and cell.text.strip().lower() in _ALONE:
+                row.cells[column], kind = replace(cell, text="0"), kind or letter
         starred = {column for column, cell in row.cells.items() if _STAR.search(cell.text)}
         a, d, offset = (row.cells.get(column) for column in ("a", "d", "offset"))
         found = Row(self.length(a, "a"), self.angle(row.cells.get("alpha"), "alpha"), self.length(d, "d"), Angle())
@@ -204,6 +212,13 @@ class Reader:
         except DimensionError as error:
             self.problems.append(Problem(error.message, None, error.hint))
             return found, {}
+
+    def limits(self, row: RowText, *, is_angle: bool) -> tuple[Value, Value] | None:
+        """The limits of the variable of a row, where it has both."""
+        if not {"lower", "upper"} <= row.cells.keys():
+            return None
+        read = self.angle if is_angle else self.length
+        return read(row.cells["lower"], "lower"), read(row.cells["upper"], "upper")
 
     def value(self, cell: Cell | None, name: str, *, is_angle: bool) -> Value | None:
         """The value of a name; None where it has none."""

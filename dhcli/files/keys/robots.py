@@ -22,6 +22,9 @@ from dhcli.files.keys.shapes import (
 )
 from dhcli.kinematics.conventions import Convention
 
+SIDES = ("space", "body")
+"""Where screws may be seen from."""
+
 CONVENTIONS = (*(convention.value for convention in Convention), "axes", "screws")
 
 _OF_EVERY_ROBOT = (
@@ -30,6 +33,12 @@ _OF_EVERY_ROBOT = (
     Key("convention", "how its links are described", Scalar(CONVENTIONS), is_required=True),
     Key("exact", "false: 1.5708 stays what it is; else it is taken as 90°", FLAG, example="exact: false"),
     Key("variables", "the joint variables in order", Many(TEXT), is_required=True, example="variables: [theta1, d2]"),
+    Key(
+        "called",
+        "what joints are called elsewhere, such as in a URDF; joint values may have these names too",
+        Named(TEXT),
+        example="called: {theta1: shoulder_pan_joint}",
+    ),
     Key(
         "parameters",
         "values of all other names, or formulas of others; without a value one stays open",
@@ -100,7 +109,7 @@ AXES = (
 
 SCREWS = (
     *_OF_EVERY_ROBOT,
-    Key("frame", "where the screws are seen from: the base, or the end frame", Scalar(("space", "body"))),
+    Key("frame", "where the screws are seen from: the base, or the end frame", Scalar(SIDES)),
     Key(
         "screws",
         "the screw of each joint with the joints at 0: ω, then v",

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from dhcli.errors import DhcliError, Problem
-from dhcli.files.library.lookup import Entry, Kind, entries
+from dhcli.files.library.entries import Entry, Kind, entries
 from dhcli.frozen import frozen
 from dhcli.storage.cache import cache, cached
 

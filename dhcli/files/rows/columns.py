@@ -203,4 +203,6 @@ def _aside(hint: str) -> str:
 def _wanted(robot: Robot) -> str:
     """The columns there should be."""
     units = {"revolute": "rad", "prismatic": "m"}
-    return "wanted: " + ", ".join(f"{joint.name}[{units[joint.kind]}]" for joint in robot.joints)
+    return "wanted: " + ", ".join(
+        f"{robot.called.get(joint.name, joint.name)}[{units[joint.kind]}]" for joint in robot.joints
+    )

@@ -9,6 +9,10 @@ from dhcli.errors import FileError, Place, Problem, UnknownNameError, did_you_me
 from dhcli.files.reading import source_of
 from dhcli.files.urdf.model import KINDS, Joint, Mimic, Model
 from dhcli.kinematics.given import text_of
+from dhcli.regex import regex
+
+_HAND = regex(r"(?i:tcp|tool|flange|ee(?:f|_|$))")
+"""In the name of the link that people mean by the end of an arm, and not a finger."""
 
 
 def chain_of(model: Model, base: str | None, tip: str | None = None) -> tuple[Joint, ...]:
@@ -122,7 +126,8 @@ def _tip(model: Model, above: dict[str, Joint], start: str) -> str:
     from shlex import quote  # few robots have two
 
     typed = "-" if model.source == source_of("-") else quote(model.source)
-    made = f"dhcli new robot --from {typed} --tip {quote(moving[0])} makes a file of one"
+    likely = next((tip for tip in moving if _HAND.search(tip)), moving[0])
+    made = f"dhcli new robot --from {typed} --tip {quote(likely)} makes a file of one"
     hint = f"--tip {listed(moving)}; {made}"
     raise FileError(Problem(f"has {len(moving)} tips: which one?", Place(model.source), hint))
 

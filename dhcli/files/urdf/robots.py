@@ -18,12 +18,15 @@ from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.validity import InvalidRobotError
 from dhcli.notation import turns
 from dhcli.notation.angle import Angle
+from dhcli.notation.names import canonical
 from dhcli.notation.quarters import Slight, remark_on
 from dhcli.notation.tree import Expr, Number, Symbol, add, decimal, multiply
 from dhcli.regex import regex
 
 _NOTHING = 1e-9
 """What is so little that nobody is told of it [rad or m]."""
+_LETTERS = (("theta", "d"), ("phi", "s"), ("psi", "r"))
+"""Of variables, the first that would not be the name of another joint."""
 _KEPT = regex(r"[A-Za-z]+_?[0-9]+")
 """Names of joints that are names of variables too."""
 
@@ -114,9 +117,6 @@ class _Builder:
             limits=limits,
             remarks=(*self.taken(), *self.remarks, *self.left_out(), *odd_numbers(self.joints)),
             called={variable: joint for joint, variable in variables.items() if joint != variable},
-            notes="\n".join(
-                f"{variable} is the joint {joint}." for joint, variable in variables.items() if joint != variable
-            ),
         )
 
     def variables(self) -> dict[str, str]:
@@ -124,8 +124,12 @@ class _Builder:
         own = [joint for joint in self.moving if joint.mimic is None]
         if all(_KEPT.fullmatch(joint.name) for joint in own) and self.can_keep(own):
             return {joint.name: joint.name for joint in own}
-        letters = ((joint, "d" if joint.kind == "prismatic" else "theta") for joint in own)
-        return {joint.name: f"{letter}{i}" for i, (joint, letter) in enumerate(letters, 1)}
+        for turning, sliding in _LETTERS:
+            letters = (sliding if joint.kind == "prismatic" else turning for joint in own)
+            found = {joint.name: f"{letter}{i}" for i, (joint, letter) in enumerate(zip(own, letters, strict=True), 1)}
+            if not {canonical(joint) for joint, name in found.items() if joint != name} & {*found.values()}:
+                break
+        return found
 
     def leader(self, joint: Joint) -> tuple[Joint, Fraction, Fraction]:
         """The joint that another one follows in the end, itself if it follows none, by which factor and offset.

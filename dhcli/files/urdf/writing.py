@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from dhcli.errors import RobotError
@@ -17,11 +17,15 @@ from dhcli.kinematics.describe.exact import exact_length
 from dhcli.kinematics.describe.linear import Point
 from dhcli.kinematics.forward import with_own_values
 from dhcli.kinematics.robot import Robot
+from dhcli.notation.angle import magnitude
 from dhcli.notation.tree import ONE
 from dhcli.safe import xml_attribute, xml_comment
 
 _EFFORT = 'effort="100" velocity="1"'
 """A URDF wants both; a robot file has neither."""
+
+_END = "tool0_joint"
+"""The joint that holds the end frame."""
 
 _SLIDE = 1.0
 """How far a slide goes that has no limits [m]."""
@@ -32,7 +36,7 @@ class _Part:
     """One joint of a URDF.
 
     Attributes:
-        name: What it is called: its variable, unless another joint is.
+        name: Its variable, unless another joint has that.
         line: Its axis, in the sense in which its variable grows.
         leader: The variable that it follows; empty where it has its own.
         multiplier: How far it moves for each unit of that [rad or m for a rad or m].
@@ -94,10 +98,10 @@ def _followed(free: Uncoupled, drawing: Drawing) -> Iterator[_Part]:
         name, slope = slopes[line.name]
         along = line if slope > 0 else line.reversed()
         if leading[name] == line.name:
-            yield _Part(name, replace(along, rate=abs(along.rate)))
+            yield _Part(name, replace(along, rate=magnitude(along.rate)))
         else:
             own = leading[name] if line.name == name else line.name  # its leader has the name of the variable
-            yield _Part(own, replace(along, rate=abs(along.rate)), name, abs(slope))
+            yield _Part(own, replace(along, rate=magnitude(along.rate)), name, abs(slope))
 
 
 def _lines(robot: Robot, parts: Sequence[_Part], end: Frame) -> Iterator[str]:
@@ -107,25 +111,34 @@ def _lines(robot: Robot, parts: Sequence[_Part], end: Frame) -> Iterator[str]:
     links = ["base_link", *(f"link_{i}" for i in range(1, len(parts) + 1)), "tool0"]
     yield from (f'  <link name="{link}"/>' for link in links)
     here = ORIGIN
+    joints = _names(robot, parts)
     for i, part in enumerate(parts):
         there = _at(part.line.through) if part.line.through is not None else here
-        yield from _joint(robot, part, links[i : i + 2], minus(there, here))
+        yield from _joint(robot, part, joints, links[i : i + 2], minus(there, here))
         here = there
-    yield f'  <joint name="tool0_joint" type="fixed">\n    <parent link="{links[-2]}"/>\n    <child link="tool0"/>'
+    yield f'  <joint name="{_END}" type="fixed">\n    <parent link="{links[-2]}"/>\n    <child link="tool0"/>'
     yield f"    {_origin(minus(_at(end.origin), here), end)}\n  </joint>"
     yield "</robot>"
 
 
-def _joint(robot: Robot, part: _Part, links: list[str], offset: Vector) -> Iterator[str]:
+def _names(robot: Robot, parts: Sequence[_Part]) -> dict[str, str]:
+    """What the joints are called: as elsewhere, where no other joint has that name."""
+    taken = {_END, *(part.name for part in parts)}
+    elsewhere = {part.name: robot.called.get(part.name, part.name) for part in parts}
+    return {name: name if called in taken else called for name, called in elsewhere.items()}
+
+
+def _joint(robot: Robot, part: _Part, joints: Mapping[str, str], links: list[str], offset: Vector) -> Iterator[str]:
     limits = _limits(robot, part)
     kind = "prismatic" if not part.line.turns else "revolute" if limits else "continuous"
-    yield f'  <joint name={xml_attribute(part.name)} type="{kind}">'
+    yield f'  <joint name={xml_attribute(joints[part.name])} type="{kind}">'
     yield f'    <parent link="{links[0]}"/>'
     yield f'    <child link="{links[1]}"/>'
     yield f"    {_origin(offset)}"
     yield f'    <axis xyz="{_three(part.line.direction)}"/>'
     if part.leader:
-        yield f'    <mimic joint={xml_attribute(part.leader)} multiplier="{_number(part.multiplier)}" offset="0"/>'
+        leader = xml_attribute(joints[part.leader])
+        yield f'    <mimic joint={leader} multiplier="{_number(part.multiplier)}" offset="0"/>'
     if kind != "continuous":
         low, high = limits or _stand_in(robot, part)
         yield f'    <limit lower="{_number(low)}" upper="{_number(high)}" {_EFFORT}/>'

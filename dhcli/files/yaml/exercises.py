@@ -9,28 +9,26 @@ from pathlib import Path
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.figures import LEVELS
 from dhcli.checking.verdicts import Verdict
-from dhcli.checking.written import Printed, Range, Trial, answer_scope
+from dhcli.checking.written import Printed, Trial, answer_scope
 from dhcli.errors import DhcliError, FileError, Problem, did_you_mean, nearest
-from dhcli.files.keys.exercises import ALSO, EXERCISE, PART, PRINTED, SOURCE, TEST, TOLERANCE
+from dhcli.files.keys.exercises import ALSO, EXERCISE, FEEDBACK, PART, PRINTED, SOURCE, TEST, TOLERANCE
 from dhcli.files.keys.shapes import names, required
-from dhcli.files.library.lookup import Kind, check_typed, entries, find, full_id
+from dhcli.files.library.entries import Kind, entries, full_id
+from dhcli.files.library.lookup import check_typed, find
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.credits import read_shares
 from dhcli.files.yaml.fields import Fields, Problems
+from dhcli.files.yaml.given import Given
 from dhcli.files.yaml.named import Named
 from dhcli.files.yaml.parts import PartReader
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, as_text, read_yaml
-from dhcli.files.yaml.ranges import is_bare, read_variants
 from dhcli.files.yaml.tolerances import read_tolerance
 from dhcli.files.yaml.typed import (
-    has_unit_of_angle,
     read_flag,
     read_texts,
-    read_value,
+    read_word,
 )
-from dhcli.kinematics.robot import Robot, Value
-from dhcli.notation.angle import Angle
-from dhcli.notation.names import canonical, is_greek
+from dhcli.kinematics.robot import Robot
 from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.scope import Scope
 
@@ -111,16 +109,14 @@ class _Loader:
             root, known=names(EXERCISE), required=required(EXERCISE), elsewhere=ELSEWHERE
         )
         self.robot = self.named.robot("robot", self.fields.scalar("robot"))
-        self.unit = self.fields.text("unit", "m")
+        self.unit = read_word(self.fields, "unit", (*LENGTH_UNITS, "none"), "write m, mm, cm or none") or "m"
         self.names = read_texts(self.fields, "names")
-        self.given: dict[str, Value] = {}
-        self.refused: set[str] = set()
-        self.read_given()
+        self.given = Given(self.fields, self.robot, self.unit)
         self.printed = self.read_printed()
         self.tolerance = read_tolerance(self.fields)
         self.shares = read_shares(self.fields)
         has_robot = "robot" in self.fields
-        scope = answer_scope(self.robot, (*self.given, *self.names))
+        scope = answer_scope(self.robot, (*self.given.values, *self.names))
         if has_robot and self.robot is None:
             scope = Scope(is_open=True)  # its names are not known, and that it was not found is told
         unit = LENGTH_UNITS.get(self.unit, Fraction(1))
@@ -153,15 +149,8 @@ class _Loader:
         nodes = self.fields.sequence("tests", example="- {part: a1, answer: ..., verdict: WRONG}")
         trials = tuple(self.trial(node) for node in nodes)
         also = self.also()
-        if self.unit not in (*LENGTH_UNITS, "none"):
-            self.not_known("unit", f"unit: '{self.unit}' is no unit of length", "write m, mm, cm or none")
         self.check_printed()
-        feedback = self.fields.text("feedback", "verdict")
-        if feedback not in ("verdict", "expected"):
-            self.not_known("feedback", f"feedback: '{feedback}' is not known", "write expected, or leave it out")
-        picture = self.fields.text("picture", "")
-        if picture and picture not in LEVELS:
-            self.not_known("picture", f"picture: '{picture}' is not known", f"one of {', '.join(LEVELS)}")
+        feedback = read_word(self.fields, "feedback", FEEDBACK, "write expected, or leave it out")
         found = Exercise(
             id=self.name,
             title=self.fields.text("title"),
@@ -169,7 +158,7 @@ class _Loader:
             task=self.fields.text("task"),
             parts=parts_,
             robot=self.robot,
-            given=self.given,
+            given=self.given.values,
             names=self.names,
             numeric=read_flag(self.fields, "numeric"),
             unit=self.unit,
@@ -178,25 +167,20 @@ class _Loader:
             also=also,
             trials=trials,
             shows_expected=feedback == "expected",
-            variants=self.variants(),
-            picture=picture,
+            variants=self.given.variants(),
+            picture=read_word(self.fields, "picture", LEVELS),
         )
         self.check_values(found)
         return found
 
-    def not_known(self, key: str, message: str, hint: str) -> None:
-        """Note that the value of a key is none of those it may have."""
-        node = self.fields.get(key)
-        self.problems.add(self.fields.place if node is None else node.place, message, hint)
-
     def check_values(self, exercise: Exercise) -> None:
         """Names without a value, where the right answer needs one; a value that was refused is told already."""
         try:
-            missing = [name for name in exercise.missing if name not in self.refused]
+            missing = [name for name in exercise.missing if name not in self.given.refused]
         except DhcliError:  # there is no right answer: of a robot that was not found, or one that is too long
             return
         if missing and isinstance(self.fields.get("given"), PlacedMapping | None):
-            wanted = ", ".join(f"{name}: {'25°' if self.is_angle(name) else '0.12 m'}" for name in missing)
+            wanted = ", ".join(f"{name}: {'25°' if self.given.is_angle(name) else '0.12 m'}" for name in missing)
             message = f"given: no value for {', '.join(missing)}, and the answers are numbers"
             key = "given" if "given" in self.fields else "numeric"
             self.problems.add(self.fields.place_of(key), message, f"given: {{{wanted}}}")
@@ -214,52 +198,6 @@ class _Loader:
             fields = self.fields.mapping("source", known=names(SOURCE), required=required(SOURCE))
             return f"{fields.text('document')}, {fields.text('item')}"
         return self.fields.text("source")
-
-    def read_given(self) -> None:
-        fields = self.fields.mapping("given", example="{theta1: 30°}")
-        for written in fields.entries:
-            key = self.own_name(written)
-            scalar = fields.scalar(written)
-            value = self.value(scalar, key) if scalar else None
-            if key in self.given:
-                self.problems.add(fields.place_of(written), f"given: {key} stands twice", "keep one")
-            elif value is None:
-                self.refused.add(key)
-            else:
-                self.given[key] = value
-
-    def own_name(self, written: str) -> str:
-        """The robot's spelling of a name, such as theta1 for θ1 and theta_1; others as they are written."""
-        own = self.robot.scope.names if self.robot else ()
-        return next((name for name in own if canonical(name) == canonical(written)), written)
-
-    def value(self, scalar: PlacedScalar, key: str) -> Value | None:
-        unit = self.unit_of(key)
-        if unit and not self.is_angle(key) and is_bare(scalar.text):
-            message = f"{key}: a length without its unit, on a sheet in {unit}"
-            self.problems.add(scalar.place, message, f"write {scalar.text} {unit}")
-            return None
-        is_angle = self.is_angle(key) or (not self.of_robot(key) and has_unit_of_angle(scalar))
-        return read_value(self.problems, scalar, key, is_angle=is_angle)
-
-    def is_angle(self, key: str) -> bool:
-        """Whether a name stands for an angle: by the robot, by the value given, or by its Greek letter."""
-        if self.robot is not None and self.of_robot(key):
-            return key in self.robot.angles
-        return is_greek(key) or isinstance(self.given.get(key), Angle)
-
-    def of_robot(self, key: str) -> bool:
-        return self.robot is not None and key in self.robot.scope.names
-
-    def variants(self) -> dict[str, Range]:
-        if self.robot is None and "robot" in self.fields:
-            return {}  # that it was not found is said; its names are not known
-        known = (*(self.robot.scope.names if self.robot else ()), *self.given)
-        return read_variants(self.fields, known, self.is_angle, self.unit_of)
-
-    def unit_of(self, key: str) -> str:
-        """The unit that a length must have where a bare one, which is in metres, would be read in that of the sheet."""
-        return self.unit if self.unit in LENGTH_UNITS and self.unit != "m" and self.of_robot(key) else ""
 
     def read_printed(self) -> dict[str, Printed]:
         fields = self.fields.mapping("printed", example='{a1: "c1 -s1; s1 c1"}')

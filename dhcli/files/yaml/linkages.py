@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from dhcli.errors import DhcliError, FileError, Place, Problem
 from dhcli.files.keys.linkages import FORMS, LINKAGE
 from dhcli.files.keys.shapes import names, required
-from dhcli.files.library.lookup import Kind, check_typed, entries, find, is_path
+from dhcli.files.library.entries import Kind, holds
+from dhcli.files.library.lookup import check_typed, find, is_path
 from dhcli.files.reading import is_xml, read_text, source_of
 from dhcli.files.yaml.coordinates import Coordinates
 from dhcli.files.yaml.fields import Problems
@@ -37,9 +38,9 @@ def find_linkage(what: str | Path, space: Space = SPATIAL, tolerance: float = 0.
     """
     if isinstance(what, Path) or is_path(Kind.LINKAGES, what):
         return load_linkage(Path(what), tolerance)
-    if any(entry.name == what for entry in entries(Kind.LINKAGES)):
+    if holds(Kind.LINKAGES, what):
         return load_linkage(what, tolerance)
-    if any(entry.name == what for entry in entries(Kind.ROBOTS)):
+    if holds(Kind.ROBOTS, what):
         return load_linkage(find(Kind.ROBOTS, what), tolerance)
     if looks_like_pattern(what):
         return read_pattern(what, space)

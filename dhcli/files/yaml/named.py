@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from dhcli.errors import DhcliError, Place
-from dhcli.files.library.lookup import Kind, find, is_path
+from dhcli.files.library.entries import Kind
+from dhcli.files.library.lookup import find, is_path
 from dhcli.files.yaml.fields import Problems
 from dhcli.files.yaml.placed import PlacedScalar
 from dhcli.files.yaml.robots import load_robot

@@ -6,16 +6,16 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from dhcli.errors import NotationError, did_you_mean
-from dhcli.files.yaml.fields import Fields, Problems
+from dhcli.files.yaml.fields import Fields
 from dhcli.files.yaml.placed import PlacedScalar
-from dhcli.files.yaml.typed import read_value, taken_exactly
+from dhcli.files.yaml.reader import Reader
+from dhcli.files.yaml.typed import has_unit_of_angle, taken_exactly
 from dhcli.kinematics.derived import Formula, circle, value_of
 from dhcli.kinematics.robot import Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, has_angle_unit, with_unit
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 
 
@@ -26,19 +26,16 @@ class Parameters:
         formulas: Those that follow from others.
     """
 
-    def __init__(self, problems: Problems, fields: Fields, remarks: list[str] | None, unit: str) -> None:
+    def __init__(self, fields: Fields, reader: Reader) -> None:
         """Read from the fields of a file.
 
         Args:
-            problems: Where to note what is wrong.
             fields: The mapping.
-            remarks: Where to say what was taken for what; None to take angles as they stand.
-            unit: The unit of bare lengths; empty for metres.
+            reader: Reads what stands in it.
         """
-        self.problems = problems
+        self.problems = fields.problems
         self.fields = fields
-        self.remarks = remarks
-        self.unit = unit
+        self.reader = reader
         self.formulas: dict[str, Formula] = {}
         self._names = tuple(fields.entries)
         self._unknown: set[str] = set()
@@ -74,8 +71,8 @@ class Parameters:
             self.formulas[key] = formula
             return None
         if is_angle is None:
-            is_angle = self._has_unit_of_angle(scalar)
-        return read_value(self.problems, scalar, key, is_angle=is_angle, remarks=self.remarks, unit=self.unit)
+            is_angle = has_unit_of_angle(scalar)
+        return self.reader.value(scalar, key, is_angle=is_angle)
 
     def _formula(self, key: str, scalar: PlacedScalar, is_angle: bool | None) -> Formula | None:  # noqa: FBT001
         """A parameter in terms of others; none if no other stands in it."""
@@ -95,9 +92,9 @@ class Parameters:
         if is_angle is None:
             self._unknown.add(key)
             is_angle = has_angle_unit(expr)
-        if is_angle and self.remarks is not None:
-            expr = taken_exactly(expr, key, self.remarks)
-        return Formula(expr if is_angle else with_unit(expr, self.unit), is_angle)
+        if is_angle and self.reader.remarks is not None:
+            expr = taken_exactly(expr, key, self.reader.remarks)
+        return Formula(expr if is_angle else with_unit(expr, self.reader.unit), is_angle)
 
     def _derived(self, key: str, found: dict[str, Value | None]) -> Value | None:
         formula = self.formulas[key]
@@ -111,11 +108,3 @@ class Parameters:
         except DimensionError as error:
             self.problems.add(self.fields.place_of(key), f"{key}: {error.message}", error.hint)
             return None
-
-    @staticmethod
-    def _has_unit_of_angle(scalar: PlacedScalar) -> bool:
-        try:
-            expr: Expr = parse(scalar.text, Scope())
-        except NotationError:
-            return False
-        return has_angle_unit(expr)

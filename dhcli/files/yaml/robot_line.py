@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from dhcli.checking.exercise import Exercise
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, holds
 from dhcli.notation.quantity import value_text
 
 
@@ -17,7 +17,7 @@ def robot_line(exercise: Exercise) -> str:
     """
     own = {name: text for name, text in values_text(exercise).items() if name not in exercise.given}
     said = [", ".join(f"{name} = {text}" for name, text in own.items())] if own else []
-    if exercise.robot is not None and _needs_table(exercise) and _is_known(exercise.robot.name):
+    if exercise.robot is not None and _needs_table(exercise) and holds(Kind.ROBOTS, exercise.robot.name):
         said.append(f"dhcli show {exercise.robot.name} shows its table")
     return f"Robot: {'; '.join(said)}" if said else ""
 
@@ -32,8 +32,3 @@ def _needs_table(exercise: Exercise) -> bool:
     """Whether a pose of the robot is asked for, and nothing that its table would give away."""
     questions = [part.question for part in exercise.asked]
     return any(question.needs_table for question in questions) and not any(one.is_in_table for one in questions)
-
-
-def _is_known(name: str) -> bool:
-    """Whether the library has a robot of this name; one that was given by its path has it for itself."""
-    return any(entry.name == name for entry in entries(Kind.ROBOTS))

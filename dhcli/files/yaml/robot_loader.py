@@ -6,29 +6,27 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
-from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
-from dhcli.files.keys.robots import CONVENTIONS, TABLE, UNITS
-from dhcli.files.keys.shapes import ROW, Key, required
+from dhcli.errors import FileError, Place, Problem
+from dhcli.files.keys.robots import TABLE, UNITS
+from dhcli.files.keys.shapes import Key, required
 from dhcli.files.keys.shapes import names as names_of
 from dhcli.files.yaml.drives import read_drives
-from dhcli.files.yaml.fields import Fields, Problems
-from dhcli.files.yaml.joint_values import JointValues
+from dhcli.files.yaml.fields import Problems
+from dhcli.files.yaml.joint_values import JointValues, in_turn
+from dhcli.files.yaml.links import Links
 from dhcli.files.yaml.parameters import Parameters
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
-from dhcli.files.yaml.typed import read_flag, read_moves, read_value, read_whole
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row, calibrated_moves, convention_hint, moves_of
+from dhcli.files.yaml.reader import Reader
+from dhcli.files.yaml.typed import read_flag, read_moves, read_whole, read_word
 from dhcli.kinematics.description import Description
-from dhcli.kinematics.moves import Chain, every_angle, names, read_chain, sharpened
+from dhcli.kinematics.moves import Chain, every_angle, names
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.validity import Finding, InvalidRobotError, findings
-from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import ZERO, Expr
 
-ANGLES = ("alpha", "theta", "beta")
-_ROW = "{a: a1, alpha: 90°, d: 0, theta: theta1}"
 _POSES = "{home: [0, 90°, 100 mm]}"
+_BY_ROW = "whether it turns or slides is said by the row in which it stands"
 MOVING = ("links", "axes", "screws", "end", "home", "base", "tool", "tools")
 """Keys under which names of parameters are used."""
 
@@ -56,13 +54,11 @@ class Loader:
             self.parameters = replace(self.parameters, entries=dict(open_))
         known = (*self.variables, *self.parameters.entries)
         self.scope = Scope(lengths=known, is_open="variables" not in self.fields)
-        self.convention = self.read_convention()
         keeps_digits = "exact" in self.fields and not read_flag(self.fields, "exact")
-        self.remarks: list[str] | None = None if keeps_digits else []
-        self.unit = self.read_unit()
-        self.columns: tuple[str, ...] = COLUMNS
-        # A calibrated table: its fifth column leaves no table of four, so each row is a product.
-        self.has_beta = any("beta" in _keys(node) for node in _items(self.fields.get("links")))
+        self.reader = Reader(
+            self.problems, self.scope, None if keeps_digits else [], read_word(self.fields, "units", UNITS)
+        )
+        self.links = Links(self.fields, self.reader, self.places, self.variables)
         self.clear: frozenset[str] = frozenset()
         self.doubtful: frozenset[str] = frozenset()
 
@@ -84,7 +80,7 @@ class Loader:
             for finding in findings(found, self.doubtful):
                 self.problems.add(self.place_of(finding), self.key_of(finding) + finding.message, finding.hint)
         is_known = self.variables and not self.doubtful
-        driven = read_drives(self.fields, found, self.unit) if is_known and "actuators" in self.fields else None
+        driven = read_drives(self.fields, found, self.reader.unit) if is_known and "actuators" in self.fields else None
         return found if driven is None else replace(found, actuators=driven)
 
     def parts(self) -> dict[str, Any]:
@@ -105,15 +101,15 @@ class Loader:
         chain = (*base, *(move for link in links for move in link.moves), *tool)
         chain += tuple(move for moves in tools.values() for move in moves)
         angles = every_angle(chain)
-        reader = Parameters(self.problems, self.parameters, self.remarks, self.unit)
+        reader = Parameters(self.parameters, self.reader)
         parameters = reader.read(lambda key: self.is_angle(key, angles))
         turns = {name: name in angles if name in self.clear else None for name in self.variables}
-        values = JointValues(turns, self.value, self.places)
+        values = JointValues(turns, self.reader, self.places)
         if not links and isinstance(self.fields.get("links"), PlacedSequence):
             self.problems.add(self.fields.place_of("links"), "links: a robot has at least one link")
         return {
             "name": self.name,
-            "convention": Convention.PRODUCT if self.has_beta else self.convention,
+            "convention": self.links.convention,
             "variables": self.variables,
             "links": links,
             "parameters": parameters,
@@ -121,23 +117,18 @@ class Loader:
             "tool": tool,
             "tools": tools,
             "first": first,
-            "limits": values.limits(self.fields.mapping("limits", example="{theta1: [-160°, 160°]}")),
+            "limits": values.limits(in_turn(self.fields, "limits", self.variables)),
             "poses": self.read_poses(values),
-            "columns": COLUMNS if self.has_beta else self.columns,
+            "called": values.called(self.fields.mapping("called", example="{theta1: shoulder_pan_joint}")),
+            "columns": self.links.columns,
             "derived": reader.formulas,
-            "remarks": tuple(dict.fromkeys(self.remarks or ())),
+            "remarks": tuple(dict.fromkeys(self.reader.remarks or ())),
             **{key: self.fields.text(key) for key in ("title", "source", "notes")},
         }
 
     def read_links(self, first: int) -> tuple[Link, ...]:
         """The rows, or the products."""
-        nodes = self.fields.sequence("links", f"- {self.link_example}")
-        return tuple(self.link(node, i, first + i) for i, node in enumerate(nodes))
-
-    @property
-    def link_example(self) -> str:
-        """How a link is written."""
-        return "Rot(z, theta1) * Trans(l1, 0, 0)" if self.convention is Convention.PRODUCT else _ROW
+        return self.links.read(first)
 
     def read_poses(self, values: JointValues) -> dict[str, tuple[Value, ...]]:
         """The named poses."""
@@ -161,29 +152,8 @@ class Loader:
         for key in fields.entries:
             self.places["tools", key] = fields.place_of(key)
             scalar = read_moves(self.problems, fields.entries[key][1], key)
-            found[key] = () if scalar is None else self.moves(scalar)
+            found[key] = () if scalar is None else self.reader.moves(scalar)
         return found
-
-    def read_convention(self) -> Convention:
-        """How the links are described."""
-        scalar = self.fields.scalar("convention")
-        if scalar is None:
-            return Convention.STANDARD
-        try:
-            return Convention(scalar.text)
-        except ValueError:
-            hint = convention_hint(scalar.text, CONVENTIONS)
-            self.problems.add(scalar.place, f"convention: '{scalar.text}' is not known", hint)
-            return Convention.STANDARD
-
-    def read_unit(self) -> str:
-        """The unit of bare lengths, empty for metres."""
-        scalar = self.fields.scalar("units")
-        if scalar is None or scalar.text in UNITS:
-            return "" if scalar is None else scalar.text
-        hint = did_you_mean(scalar.text, UNITS) or ", ".join(UNITS)
-        self.problems.add(scalar.place, f"units: {scalar.text!r:.60} is no unit of length", hint)
-        return ""
 
     def read_first(self) -> int:
         """The number of the first link."""
@@ -199,61 +169,12 @@ class Loader:
         """The names in a list, their places kept."""
         for i, node in enumerate(nodes):
             self.places[section, i] = node.place
-            scalar = self.problems.scalar(node, section)
-            if scalar is not None:
+            if isinstance(node, PlacedMapping) and len(node.entries) == 1:
+                name = node.entries[0][0]
+                self.problems.add(node.place, f"{section}: a name stands alone", f"write {name.text}; {_BY_ROW}")
+                yield name.text
+            elif (scalar := self.problems.scalar(node, section)) is not None:
                 yield scalar.text
-
-    def link(self, node: PlacedNode, index: int, number: int) -> Link:
-        """A row, or a product."""
-        self.places["links", index] = node.place
-        if self.convention is Convention.PRODUCT:
-            scalar = read_moves(self.problems, node, "links")
-            return Link(number, self.moves(scalar), None, scalar.text) if scalar else Link(number, ())
-        if not isinstance(node, PlacedMapping):
-            self.problems.add(
-                node.place,
-                f"links: row {index + 1} should be a mapping",
-                f"write {self.link_example}, or convention: product for moves",
-            )
-            return Link(number, ())
-        fields = self.problems.mapping(node, "links", known=(*COLUMNS, "beta"), required=required(ROW))
-        if len(fields.entries) == len(COLUMNS) and index == 0:
-            self.columns = tuple(fields.entries)
-        cells = {column: self.cell(fields, column, index) for column in COLUMNS}
-        a, d = _as_length(cells["a"]), _as_length(cells["d"])
-        row = Row(a=a, alpha=_as_angle(cells["alpha"]), d=d, theta=_as_angle(cells["theta"]))
-        if not self.has_beta:
-            return Link(number, moves_of(row, self.convention), row)
-        return Link(number, calibrated_moves(row, _as_angle(self.cell(fields, "beta", index)), self.convention))
-
-    def cell(self, fields: Fields, column: str, index: int) -> Value:
-        """A cell of a row; nothing where it cannot be read."""
-        scalar = fields.scalar(column)
-        empty: Value = Angle() if column in ANGLES else ZERO
-        if scalar is None:
-            return empty
-        self.places["links", index, column] = scalar.place
-        return (
-            read_value(
-                self.problems,
-                scalar,
-                column,
-                is_angle=column in ANGLES,
-                scope=self.scope,
-                remarks=self.remarks,
-                unit=self.unit,
-            )
-            or empty
-        )
-
-    def moves(self, scalar: PlacedScalar) -> Chain:
-        """A product of moves; none where it cannot be read."""
-        try:
-            chain = read_chain(scalar.text, self.scope, scalar.place_of(0), self.remarks, self.unit)
-            return sharpened(chain, self.remarks)
-        except NotationError as error:
-            self.problems.take(error)
-            return ()
 
     def chain(self, key: str) -> Chain:
         """The product under a key."""
@@ -262,7 +183,7 @@ class Loader:
         if scalar is None:
             return ()
         self.places[(key,)] = scalar.place
-        return self.moves(scalar)
+        return self.reader.moves(scalar)
 
     def is_angle(self, key: str, angles: frozenset[str]) -> bool | None:
         """Whether a parameter is an angle, by where it stands; None if it stands nowhere."""
@@ -274,10 +195,6 @@ class Loader:
     def is_used(self, key: str) -> bool:
         """Whether a name stands anywhere among the links, or what else moves."""
         return any(key in _texts(node) for where in MOVING if (node := self.fields.get(where)) is not None)
-
-    def value(self, scalar: PlacedScalar, key: str, is_angle: bool) -> Value | None:  # noqa: FBT001  as it is called
-        """A constant angle or length."""
-        return read_value(self.problems, scalar, key, is_angle=is_angle, remarks=self.remarks, unit=self.unit)
 
     def place_of(self, finding: Finding) -> Place:
         """Where a rule was broken, as near as the file can tell."""
@@ -295,18 +212,6 @@ class Loader:
 
 def _items(node: PlacedNode | None) -> Sequence[PlacedNode]:
     return node.items if isinstance(node, PlacedSequence) else ()
-
-
-def _keys(node: PlacedNode) -> list[str]:
-    return [key.text for key, _ in node.entries] if isinstance(node, PlacedMapping) else []
-
-
-def _as_length(value: Value) -> Expr:
-    return value if isinstance(value, Expr) else ZERO
-
-
-def _as_angle(value: Value) -> Angle:
-    return value if isinstance(value, Angle) else Angle()
 
 
 def _texts(node: PlacedNode) -> str:

@@ -6,7 +6,8 @@ import re
 from pathlib import Path
 
 from dhcli.errors import FileError, Place, Problem
-from dhcli.files.library.lookup import Kind, check_typed, find
+from dhcli.files.library.entries import Kind
+from dhcli.files.library.lookup import check_typed, find
 from dhcli.files.reading import LIMIT, is_xml, read_text, source_of
 from dhcli.files.yaml.placed import read_yaml
 from dhcli.files.yaml.robot_loader import Loader

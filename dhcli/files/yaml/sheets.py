@@ -14,8 +14,9 @@ from dhcli.checking.marked import SheetMark
 from dhcli.checking.variants import variant_of
 from dhcli.errors import DhcliError, FileError, Place
 from dhcli.files.reading import read_text, source_of
+from dhcli.files.yaml.apart import read_apart
 from dhcli.files.yaml.fields import Fields, Problems
-from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, as_text, read_yaml
+from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, as_text
 from dhcli.files.yaml.prose import folded
 from dhcli.files.yaml.robot_line import robot_line, values_text
 from dhcli.frozen import frozen
@@ -30,10 +31,11 @@ WIDEST = 88
 
 @frozen
 class Answer:
-    """One answer: its text, and where it stands."""
+    """One answer: its text, where it stands, and what is wrong where the file does not hold it as a text."""
 
     text: str
     place: Place
+    problem: str = ""
 
 
 @frozen
@@ -56,15 +58,19 @@ class Sheet:
 
 
 def read_sheet(path: Path | str) -> Sheet:
-    """Read a sheet; `-` is standard input.
+    """Read a sheet; `-` is standard input. An answer that is no YAML is told of, and the others are read.
 
     Raises:
         FileError: It is no sheet; every problem, with line and column.
     """
     problems = Problems()
-    root = read_yaml(read_text(path), source_of(path))
+    root, unread = read_apart(read_text(path), source_of(path))
     fields = problems.document(root, known=KEYS, required=("answers",))
     answers = {key: _answer(node) for key, (_, node) in fields.mapping("answers").entries.items()}
+    answers |= {
+        key: Answer(one.text, one.problem.place or Place(source_of(path)), str(one.problem))
+        for key, one in unread.items()
+    }
     values = fields.mapping("given")
     given = {key: values.text(key) for key in values.entries}
     exercise, variant = fields.text("exercise"), fields.text("variant")
@@ -106,7 +112,8 @@ def judged_sheet(
     judge = variant_of(judge, asked, sheet.variant, written)
     check_numbers(sheet, judge.exercise, written)
     texts = {name: answer.text for name, answer in sheet.answers.items()}
-    return judge.sheet(texts, {name: answer.place for name, answer in sheet.answers.items()}, only)
+    unread = {name: answer.problem for name, answer in sheet.answers.items() if answer.problem}
+    return judge.sheet(texts, {name: answer.place for name, answer in sheet.answers.items()}, only, unread)
 
 
 def write_sheet(exercise: Exercise, name: str = "") -> str:

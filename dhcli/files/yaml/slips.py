@@ -5,20 +5,24 @@ It is told all the same, with what would be right, and then read as it was meant
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from itertools import accumulate, pairwise
+from itertools import pairwise
 from typing import TypeAlias
 
 from dhcli.files.yaml.cut import is_piece
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
-from dhcli.notation.brackets import OPENING, STEPS, split
+from dhcli.kinematics.conventions import COLUMNS
+from dhcli.notation.brackets import OPENING, closing, split
 from dhcli.regex import regex
 from dhcli.safe import yaml_scalar
 
 _WORD = regex(r"[^\s]+")
-_PAIR = regex(r"±\s*(?P<both>[^-+±,]+)|(?P<low>[^,]{1,99}?)\s{0,9}(?:\.\.{1,9}|…| to )\s{0,9}(?P<high>[^,]{1,99})")
+_PAIR = regex(
+    r"±\s*(?P<both>[^-+±,]+)|(?P<low>[^,]{1,99}?)\s{0,9}(?:\.\.{1,9}|…|~| to | [-–] )\s{0,9}(?P<high>[^,]{1,99})"  # noqa: RUF001
+)
 """Two ends of a range, `±170°` or `-90°..90°`."""
+_LOW, _HIGH = ("lower", "low", "min", "from"), ("upper", "high", "max", "to")
 _WHOLE = regex(r"[-+]?[0-9]+")
 Entry: TypeAlias = tuple[PlacedScalar, PlacedNode]
 
@@ -38,8 +42,7 @@ def hint_for_brackets(node: PlacedNode) -> str:
     text = node.place.text[(node.place.column or 1) - 1 :]
     if text[:1] not in OPENING:
         return "write one line, or several behind |"
-    depths = accumulate(STEPS.get(letter, 0) for letter in text)
-    end = next((k for k, depth in enumerate(depths, 1) if not depth), 0)
+    end = closing(text) + 1
     shown = f": {yaml_scalar(text[:end])}" if end else ""
     return f"text that begins with a bracket needs quotes{shown}"
 
@@ -81,6 +84,10 @@ def items_of(node: PlacedNode, count: int = 0, *, are_names: bool = False) -> tu
     Returns:
         Nothing where it is no text of one line. A sentence with commas is one item.
     """
+    if isinstance(node, PlacedMapping) and count == 2:  # noqa: PLR2004  lowest and highest
+        ends_by = {key.text: value for key, value in node.entries if isinstance(value, PlacedScalar)}
+        pair_of = tuple(ends_by[key] for keys in (_LOW, _HIGH) for key in keys if key in ends_by)
+        return (pair_of, _shown((end.text for end in pair_of), "[]")) if len(pair_of) == count else ((), "")
     if not isinstance(node, PlacedScalar) or not node.text.strip() or "\n" in node.text:
         return (), ""
     if count == 2 and (pair := _PAIR.fullmatch(node.text.strip())):  # noqa: PLR2004  lowest and highest
@@ -98,6 +105,26 @@ def items_of(node: PlacedNode, count: int = 0, *, are_names: bool = False) -> tu
         return (node,), _shown([yaml_scalar(node.text) if "," in node.text else node.text], "[]")
     items = tuple(PlacedScalar(piece, node.place_of(at)) for at, piece in pieces)
     return items, _shown((item.text for item in items), "[]")
+
+
+def row_of(node: PlacedNode, variables: Sequence[str]) -> tuple[PlacedMapping, str]:
+    """The row of a table that is a list of its cells, `[a1, 0, 0, theta1]`, and that row as it is written with keys.
+
+    Its columns are those of the standard order, or of the one that begins with theta, by where the variable stands.
+
+    Returns:
+        Nothing where it has not four cells, or nobody knows what the variables are.
+    """
+    cells = (
+        items_of(node)[0] if isinstance(node, PlacedScalar) else node.items if isinstance(node, PlacedSequence) else ()
+    )
+    scalars = [cell for cell in cells if isinstance(cell, PlacedScalar)]
+    if not variables or not len(cells) == len(scalars) == len(COLUMNS):
+        return PlacedMapping((), node.place), ""
+    moves = next((k for k, cell in enumerate(scalars) if any(name in cell.text for name in variables)), len(COLUMNS))
+    columns = COLUMNS if moves > 1 else ("theta", "d", "a", "alpha")
+    entries = tuple((PlacedScalar(key, cell.place), cell) for key, cell in zip(columns, scalars, strict=True))
+    return PlacedMapping(entries, node.place), _shown((f"{key.text}: {cell.text}" for key, cell in entries), "{}")
 
 
 def blanks_between(node: PlacedSequence, count: int) -> tuple[tuple[PlacedScalar, ...], str]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.errors import RobotError
-from dhcli.frozen import frozen
+from dhcli.frozen import FrozenDict, frozen
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.sharing import check_threads, shared
 from dhcli.kinematics.sweep.grid import Grid
@@ -75,7 +75,7 @@ def sweep(
     if outside and look.forbidden is not None:
         names = look.forbidden.names
         told.append(f"{outside:,} of the {grid.count:,} poses are beyond the limits of {names}, and count")
-    return Sweep(target, grid, farthest, nearest, extremes, tuple(told))
+    return Sweep(target, grid, farthest, nearest, FrozenDict(extremes), tuple(told))
 
 
 _SIGNS = {"farthest": 1, "nearest": -1, **{side: -1 if side.endswith("min") else 1 for side in SIDES}}
@@ -168,5 +168,5 @@ class Forbidden:
 
 
 def _extreme(target: Target, grid: Grid, index: int) -> Extreme:
-    q = grid.at(index)
+    q = FrozenDict(grid.at(index))
     return Extreme(index, q, target.at(q))

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
-from dhcli.frozen import frozen
+from dhcli.frozen import FrozenDict, frozen
 from dhcli.kinematics.forward import in_numbers, put_in, textbook_form
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.moves import Chain
@@ -75,7 +75,7 @@ def target_of(robot: Robot, view: View | None = None, values: Values | None = No
         RobotError: A length has no value, or the point holds a name without one.
     """
     known = parameter_values(robot, {}) if values is None else values
-    lengths = {name: value for name, value in known.items() if name not in robot.variables}
+    lengths = FrozenDict((name, value) for name, value in known.items() if name not in robot.variables)
     target = Target(robot, view or View.of(robot), lengths)
     if free := sorted(symbols_in(target.view.coordinates) - lengths.keys()):
         raise RobotError(f"{', '.join(free)} of the point has no value", "write numbers: --point 0,0,0.1")

@@ -7,7 +7,7 @@ from itertools import groupby
 from typing import Any
 
 from dhcli.files.library.catalogue import Listed
-from dhcli.files.library.lookup import BUILT_IN, Kind
+from dhcli.files.library.entries import BUILT_IN, Kind
 from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
 from dhcli.render.paper import WIDE

@@ -2,18 +2,56 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
-from dhcli.errors import Place, Problem
+from dhcli.errors import Place, Problem, joined, listed
 from dhcli.render.paper import Paper
 
 _MARGIN = 8
 """Columns kept free beside a source line that is cut to the width of the paper."""
 
+_APART = 2
+"""Problems with the same words that are told one by one; of more the first is told, and where the others stand."""
+
 
 def problems_text(problems: Iterable[Problem], paper: Paper) -> str:
-    """All problems, each as `dhcli: place: message`, the line, a marker, and the hint."""
-    return "".join(f"{line}\n" for problem in problems for line in problem_lines(problem, paper))
+    """All problems, each as `dhcli: place: message`, the line, a marker, and the hint; what is often said only once."""
+    lines: list[str] = []
+    for problem, places in gathered(problems):
+        lines += problem_lines(problem, paper)
+        lines += [f"  {paper.spell(f'the same {others_text(places)}')}"] if places else []
+    return "".join(f"{line}\n" for line in lines)
+
+
+def gathered(problems: Iterable[Problem]) -> list[tuple[Problem, list[Place]]]:
+    """The problems, and of those with the same words the first, with the places of the others."""
+    given = list(problems)
+    alike: dict[tuple[str, str], list[Place | None]] = {}
+    for problem in given:
+        alike.setdefault((problem.message, problem.hint), []).append(problem.place)
+    often = {words: [place for place in places if place is not None] for words, places in alike.items()}
+    often = {words: places for words, places in often.items() if len(places) > _APART}
+    found = []
+    for problem in given:
+        places = often.get((problem.message, problem.hint), [])
+        if not places or problem.place is places[0]:
+            found.append((problem, places[1:]))
+    return found
+
+
+def others_text(places: Sequence[Place]) -> str:
+    """Where else something stands: `in lines 2 to 5 and 9`, or the names of the places."""
+    lines = sorted({place.line for place in places if place.line is not None})
+    if not lines or any(place.line is None or place.source != places[0].source for place in places):
+        return f"at {listed([str(place) for place in places])}"
+    runs: list[list[int]] = []
+    for line in lines:
+        if runs and line == runs[-1][-1] + 1:
+            runs[-1].append(line)
+        else:
+            runs.append([line])
+    words = [word for run in runs for word in ([f"{run[0]} to {run[-1]}"] if len(run) > _APART else run)]
+    return f"in line{'s' * (len(lines) > 1)} {joined(words)}"
 
 
 def problem_lines(problem: Problem, paper: Paper) -> Iterator[str]:

@@ -46,7 +46,7 @@ class ParityQuestion(Question[int]):
         """What is asked."""
         return f"even or odd: {self.text}"
 
-    def is_whole(self, text: str) -> bool:
+    def is_whole(self, text: str, _blank: tuple[int, int]) -> bool:
         """One word is enough."""
         return text.strip() in WORDS
 

@@ -7,14 +7,19 @@ from functools import cache
 
 import pytest
 
+from dhcli.checking.exercise import Case
 from dhcli.checking.judge import Judge, check
 from dhcli.checking.kinds.made import question_about
+from dhcli.checking.returned import Reading
+from dhcli.checking.solving.mended import mended
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, NotationError
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.robot import Robot
+from dhcli.notation.styles import THETAS
 from tests.nightly import NIGHT
+from tests.row_by_row import row_by_row
 
 COSINE = "(px^2 + py^2 - a1^2 - a2^2)/(2*a1*a2)"
 PUMA_K = "K = (px^2 + py^2 + pz^2 - a2^2 - a3^2 - d3^2 - d4^2)/(2*a2)\n"
@@ -123,6 +128,79 @@ def test_a_slip_in_the_terms_of_a_formula_has_a_name(ask: str, answer: str, word
     assert found is not None
     assert found.names == (words,)
     assert not set(found.hints[0]) & set("^*/()")
+
+
+D = f"D = {COSINE}"
+ROOT = "±sqrt(px^2 + py^2)"
+ARM = "angle theta2 of position"
+WHOLE = "py*(a1 + a2*c2) - px*a2*s2, px*(a1 + a2*c2) + py*a2*s2"
+SWAPPED = "the arguments of {} in {} have changed places: the sine comes first"
+ADDED = "an angle is added in {} that has to be subtracted, or the other way round"
+
+
+@pytest.mark.parametrize(
+    ("robot", "ask", "answer", "words"),
+    [
+        ("planar-2r", ELBOW, f"{D}; atan2(D, ±sqrt(1 - D^2))", SWAPPED.format("atan2", "theta2")),
+        ("planar-2r", ELBOW, f"{D}; atan2(±sqrt(1 + D^2), D)", "a sign under a square root is turned round in"),
+        ("planar-2r", ELBOW, f"{D}; atan2(±sqrt(1 - D^2), -D)", "the sign in the law of cosines is wrong in theta2"),
+        ("planar-2r", ELBOW, f"{D.replace('- a', '+ a')}; atan2(±sqrt(1 - D^2), D)", "the signs of a1^2 and a2^2 in"),
+        ("planar-2r", SHOULDER, f"atan2({', '.join(WHOLE.split(', ')[::-1])})", SWAPPED.format("atan2", "theta1")),
+        ("planar-2r", SHOULDER, f"atan2({WHOLE.replace('+ py', '- py')})", "the sign of a2*py*s2 in"),
+        (
+            "articulated",
+            ARM,
+            f"atan2({ROOT}, pz - d1) - atan2(a3*s3, a2 + a3*c3)",
+            SWAPPED.format("the first atan2", "theta2"),
+        ),
+        (
+            "articulated",
+            ARM,
+            f"atan2(pz - d1, {ROOT}) - atan2(a2 + a3*c3, a3*s3)",
+            SWAPPED.format("the second atan2", "theta2"),
+        ),
+        ("articulated", ARM, f"atan2(pz - d1, {ROOT}) + atan2(a3*s3, a2 + a3*c3)", ADDED.format("theta2")),
+        ("planar-2r", SHOULDER, "atan2(py, px) - atan2(a2*s2, a1 + a2*c2) + 90°", "theta1 is off by 90°"),
+        ("planar-2r", ELBOW, f"pi/2 ± acos({COSINE})", "theta2 is off by 90°"),
+        ("cylindrical", "angle theta1 of position", "atan2(py, px)", "theta1 is off by -90°"),
+        ("articulated", ARM, f"atan2(pz + d1, {ROOT}) - atan2(a3*s3, a2 + a3*c3)", "the sign of d1 in"),
+        (
+            "spherical-wrist",
+            "angle theta5 of orientation",
+            "atan2(r33, ±sqrt(r13^2 + r23^2))",
+            SWAPPED.format("atan2", "theta5"),
+        ),
+    ],
+)
+def test_a_slip_in_a_form_of_ones_own_has_a_name(robot: str, ask: str, answer: str, words: str) -> None:
+    """The formula is right once it is taken back, whatever form it has."""
+    found = judged(answer, ask, robot).diagnosis
+    assert found is not None
+    assert len(found.names) == 1
+    assert found.names[0].startswith(words)
+    assert not set(found.hints[0]) & set("^*/()")
+
+
+FORMS = [
+    ("planar-2r", ELBOW, f"{D}; atan2(±sqrt(1 - D^2), D)"),
+    ("planar-2r", ELBOW, f"{D}; ±(pi/2 - asin(D))"),
+    ("planar-2r", SHOULDER, f"atan2({WHOLE})"),
+    ("articulated", ARM, f"atan2(pz - d1, {ROOT}) - atan2(a3*s3, a2 + a3*c3)"),
+]
+
+
+@row_by_row(("robot", "ask", "answer"), FORMS)
+def test_whoever_made_a_slip_in_any_form_is_told_one(robot: str, ask: str, answer: str) -> None:
+    """Each slip that can be taken back, made in a right formula: it is right still, or has a name."""
+    judge = judge_of(ask, robot, "m")
+    part, name = judge.exercise.parts[0], ask.split()[1]
+    case, question = Case(part, judge.memo), part.question
+    right = question.read(case, answer)
+    assert question.mark(case, Reading(answer, right)).verdict is Verdict.RIGHT
+    for _, wrong in mended(right, name, THETAS):
+        reading = Reading(answer, wrong)
+        if question.mark(case, reading).verdict is not Verdict.RIGHT:
+            assert question.causes(case, reading), wrong.values
 
 
 @pytest.mark.parametrize("answer", ["±acos(px/a1)", f"±acos(({COSINE})^3)", "±acos((px + py - a1 - a2)/(2*a1*a2))"])

@@ -18,6 +18,7 @@ from dhcli.files.yaml.writing import robot_text
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.forward import forward
 from dhcli.kinematics.robot import Robot
+from dhcli.notation.quantity import value_text
 from dhcli.render.look import Look
 from dhcli.render.text.robot import robot_csv
 from tests.coupled import COUPLED
@@ -248,8 +249,8 @@ def test_numbers_behind_the_first_column_number_no_rows(head: str) -> None:
 def test_other_numbers_under_a_head_that_is_not_known_are_told(texts: tuple[str, str]) -> None:
     """They may be what somebody has mistyped."""
     rows = "".join(f"{text},1,0,0,q{i}\n" for i, text in enumerate(texts, 1))
-    with pytest.raises(FileError, match=r"x:1:1: mass is no column"):
-        imported(f"mass,a,alpha,d,theta\n{rows}", convention="standard")
+    with pytest.raises(FileError, match=r"x:1:1: mast is no column"):
+        imported(f"mast,a,alpha,d,theta\n{rows}", convention="standard")
 
 
 @pytest.mark.parametrize(
@@ -312,6 +313,107 @@ def test_a_fifth_column_makes_a_calibrated_arm(convention: str) -> None:
     assert gap(robot, [0.3, 0.5], expected) < 1e-15
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "theta d a alpha\nq1 0.1 0.4 0;\nq2 0 0.3 pi/2;\n",
+        "theta, d, a, alpha\n- [q1, 0.1, 0.4, 0]\n- [q2, 0, 0.3, pi/2]\n",
+        "# theta, d, a, alpha\ndh = [[q1, 0.1, 0.4, 0],\n      [q2, 0, 0.3, pi/2]]\nprint(dh)\n",
+        "%  theta  d   a   alpha\nDH = [ q1 0.1 0.4 0;\n       q2 0   0.3 pi/2 ];\nrobot = made(DH);\n",
+        "% theta d a alpha\nDH = [\n  q1 0.1 0.4 0\n  q2 0 0.3 pi/2\n];\n",
+    ],
+)
+def test_rows_may_stand_in_brackets_as_programs_have_them(text: str) -> None:
+    """Below a line with their heads, which may be a comment; what comes behind the list is no row."""
+    robot = imported(text, convention="standard")
+    expected = standard(0.3, 0.1, 0.4, 0) @ standard(0.5, 0, 0.3, math.pi / 2)
+    assert gap(robot, [0.3, 0.5], expected) < 1e-15
+
+
+@pytest.mark.parametrize(
+    "text", ["0.4 0 0 q1\n0.3 0 0 q2", "# arm\n- [a1, 0, 0, q1]\n", "DH = [0 0.1 0.4 pi/2;\n 1 0 0.3 1];"]
+)
+def test_rows_without_heads_are_told(text: str) -> None:
+    """Nobody knows which column is which."""
+    with pytest.raises(FileError, match=r"rows of a DH table. they have no heads .name the columns in a line above"):
+        imported(text, convention="standard")
+
+
+def test_limits_and_what_says_nothing_of_links_stand_in_tables_of_makers() -> None:
+    """Limits of a turn in degrees and of a slide in millimetres, as the heads say; other columns are named."""
+    text = (
+        "Kinematics,θ [deg],a [mm],d [mm],α [deg],Mass [kg],min,max\n"
+        "Joint 1,q1,0,290,-90,3.7,-165°,165°\nJoint 2,q2-90,270,0,0,8.4,,\nJoint 3,0,0,q3,0,0.2,0,0.1 m\n"
+    )
+    robot = imported(text, convention="standard")
+    assert {name: tuple(map(value_text, pair)) for name, pair in robot.limits.items()} == {
+        "q1": ("-165°", "165°"),
+        "q3": ("0 m", "0.1 m"),
+    }
+    assert import_robot(text, "x", Wish("arm", "standard")).remarks == ("left out: Mass [kg]",)
+    expected = standard(0.3, 0.29, 0, -math.pi / 2) @ standard(0.5 - math.pi / 2, 0, 0.27, 0) @ shift(0, 0, 0.05)
+    assert gap(robot, [0.3, 0.5, 0.05], expected) < 1e-15
+
+
+def test_ranges_of_makers_are_limits() -> None:
+    """One number for both, two in any order of signs, from one to the other; a unit in the head."""
+    robot = imported(
+        "i\ta(i-1)\talpha(i-1) [deg]\td(i)\ttheta(i)\tRange [deg]\n1\t0\t0\t0\tq1\t±170\n"
+        "2\t0.1\t-90\t0\tq2\t+90°/-80°\n3\t0\t90\t*\t0\t0..100 mm\n4\t0\t0\t-\tvar\t-\n",
+        convention="modified",
+    )
+    assert {name: tuple(map(value_text, pair)) for name, pair in robot.limits.items()} == {
+        "q1": ("-170°", "170°"),
+        "q2": ("-80°", "90°"),
+        "d3": ("0 m", "0.1 m"),
+    }
+    expected = modified(0.3, 0, 0, 0) @ modified(0.5, 0, 0.1, -math.pi / 2)
+    expected = expected @ modified(0, 0.05, 0, math.pi / 2) @ modified(0.7, 0, 0, 0)
+    assert gap(robot, [0.3, 0.5, 0.05, 0.7], expected) < 1e-15
+    with pytest.raises(FileError, match=r"x:2:15: 'free' is no range .write ±170° or -170°..170°"):
+        imported("a,alpha,d,theta,range\n0.1,pi/2,0,t1,free\n", convention="standard")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "arm:\n  - {name: base, theta: q1, d: 100, a: 0, 'alpha [deg]': 90}\n  - {theta: q2, d: 0, a: 400, alpha: 0}\n",
+        (
+            '{"dh": {"base": {"theta": "q1", "d": 100, "a": 0, "alpha": "pi/2", "name": 1}, '
+            '"top": {"theta": "q2", "d": 0, "a": 400, "alpha": 0, "type": "revolute"}}}'
+        ),
+    ],
+)
+def test_rows_may_have_keys_as_in_yaml_and_json(text: str) -> None:
+    """In a list, or by name; other keys are named."""
+    robot = imported(text, convention="standard", units="mm")
+    assert import_robot(text, "x", Wish("arm", "standard")).remarks == ("left out: name",)
+    expected = standard(0.3, 0.1, 0, math.pi / 2) @ standard(0.5, 0, 0.4, 0)
+    assert gap(robot, [0.3, 0.5], expected) < 1e-15
+
+
+@row_by_row(
+    ("text", "said"),
+    [
+        ("- {a: 0, alpha: 90, d: 0, theta: q1}\n", "x:1:17: alpha: the angle 90 has no unit"),
+        ("- {a: 0, alpha: 0, d: 0, theta: q1}\n- {a: 0, d: 0, theta: q2}\n", "x:2:3: alpha is missing in this row"),
+        ("- {a: [0], alpha: 0, d: 0, theta: q1}\n", "x:1:7: a: one value is wanted"),
+        ("- {a: 0, alpha: 0, d: 0, theta: q1, type: ball}\n", "'ball' is no kind of joint"),
+    ],
+)
+def test_rows_with_keys_are_refused_at_their_place(text: str, said: str) -> None:
+    """As cells of a table are."""
+    with pytest.raises(FileError) as caught:
+        imported(text, convention="standard")
+    assert said in str(caught.value)
+
+
+def test_rows_with_keys_say_no_convention_either() -> None:
+    """Unless their file speaks of one."""
+    with pytest.raises(FileError, match=r"the text above it says modified"):
+        imported("# modified DH\n- {a: 0, alpha: 0, d: 0, theta: q1}\n")
+
+
 def test_rows_of_numbers_get_the_joints_that_are_said() -> None:
     """By an offset column and kinds, or by letters; what stands in the cell is added."""
     robot = imported("theta,d,a,alpha,offset,type\nq1,0,1,1.5708 rad,90deg,R\n0,q2,0,0,0.1,P", convention="standard")
@@ -329,7 +431,7 @@ def test_rows_of_numbers_get_the_joints_that_are_said() -> None:
         ("a,alpha,d,theta\n", {"convention": "standard"}, "holds heads and no rows"),
         ("a,alpha,d,theta\n1,90,0,q1\n", {"convention": "standard"}, "x:2:3: alpha: the angle 90 has no unit"),
         ("a,alpha,d,theta\n1,0,0\n", {"convention": "standard"}, "3 cells, and 4 heads"),
-        ("a,alpha,d,theta,mass\n1,0,0,q1,3\n", {"convention": "standard"}, "mass is no column"),
+        ("a,alpha,d,theta,ofset\n1,0,0,q1,3\n", {"convention": "standard"}, "did you mean offset?"),
         ("a,alpha,d,theta\n1,0,0,0\n", {"convention": "standard"}, "no row holds a joint variable"),
         ("a,alpha,d,theta\n1,0,0,q1\n1,0,0,q1\n", {"convention": "standard"}, "q1 stands in two rows"),
         ("a,alpha,d,theta\n1,0,0,q1+q2\n", {"convention": "standard"}, "row 1 names q1 and q2"),

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from dhcli.files.library import catalogue as room
-from dhcli.files.library import lookup
+from dhcli.files.library import entries as library
 from dhcli.files.library.catalogue import catalogue
-from dhcli.files.library.lookup import Kind
+from dhcli.files.library.entries import Kind
 from dhcli.storage.cache import place
 
 ARM = """format: 1
@@ -25,7 +25,7 @@ links:
 """
 
 
-ALL = lookup._built_in_root()
+ALL = library._built_in_root()
 ONE_OF_EACH = ("robots/planar-2r.yaml", "robots/linkages/watt.yaml", "exercises/yim/planar-in-numbers.yaml")
 
 
@@ -43,7 +43,7 @@ def one_of_each(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(autouse=True)
 def home(tmp_path: Path, one_of_each: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder with one robot of the user's own, and a dhcli that brings along one thing of each kind."""
-    monkeypatch.setattr(lookup, "_built_in_root", lambda: one_of_each)
+    monkeypatch.setattr(library, "_built_in_root", lambda: one_of_each)
     monkeypatch.chdir(tmp_path)
     (tmp_path / "robots").mkdir()
     (tmp_path / "robots" / "mine.yaml").write_text(ARM.format("Mine"), "utf-8")
@@ -71,7 +71,7 @@ def titles() -> list[str]:
 
 def test_the_second_list_reads_no_file(read: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
     """And says the same as the first, of everything that dhcli brings along."""
-    monkeypatch.setattr(lookup, "_built_in_root", lambda: ALL)
+    monkeypatch.setattr(library, "_built_in_root", lambda: ALL)
     first = catalogue()
     assert len(read) == len(first) > 100
     read.clear()

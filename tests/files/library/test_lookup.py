@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 
 import pytest
 
 from dhcli.errors import UnknownNameError
-from dhcli.files.library import lookup
-from dhcli.files.library.lookup import Entry, Kind, entries, find
+from dhcli.files.library import entries as library
+from dhcli.files.library.entries import Entry, Kind, entries
+from dhcli.files.library.lookup import find
 from tests.row_by_row import row_by_row
 
 
@@ -26,7 +28,7 @@ def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("USERPROFILE", str(tmp_path / "home"))
     monkeypatch.delenv("XDG_DATA_HOME", raising=False)
     monkeypatch.delenv("DHCLI_PATH", raising=False)
-    monkeypatch.setattr(lookup, "_PACKAGE", tmp_path / "package")
+    monkeypatch.setattr(library, "_PACKAGE", tmp_path / "package")
     return tmp_path
 
 
@@ -126,7 +128,7 @@ def test_in_a_checkout_the_data_stand_beside_the_package(home: Path, monkeypatch
     """And are built in, also for someone who works in the checkout itself."""
     write(home / "checkout", "robots/scara")
     (home / "checkout/dhcli").mkdir()
-    monkeypatch.setattr(lookup, "_PACKAGE", home / "checkout/dhcli")
+    monkeypatch.setattr(library, "_PACKAGE", home / "checkout/dhcli")
     monkeypatch.chdir(home / "checkout")
     assert entries(Kind.ROBOTS) == (Entry("scara", home / "checkout/robots/scara.yaml", "built-in"),)
 
@@ -163,7 +165,7 @@ def test_a_folder_that_cannot_be_read_does_not_stop_the_search(home: Path, monke
 
 def test_an_installation_without_data_lists_nothing(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A name then is just unknown."""
-    monkeypatch.setattr(lookup, "_PACKAGE", home / "home/dhcli")
+    monkeypatch.setattr(library, "_PACKAGE", home / "home/dhcli")
     assert entries(Kind.ROBOTS) == ()
     assert hint_for(Kind.ROBOTS, "scara") == "dhcli list robots shows what there is"
 
@@ -218,6 +220,15 @@ def test_the_beginning_of_a_name_or_a_piece_of_it_suggests_what_has_it(home: Pat
 def test_an_unknown_name_is_told_the_nearest_and_the_next_command(kind: Kind, name: str, hint: str) -> None:
     """Or what else has that name."""
     assert hint_for(kind, name) == hint
+
+
+def test_a_name_that_is_found_imports_nothing_that_proposes_others(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It comes with the first that is not."""
+    monkeypatch.delitem(sys.modules, "dhcli.files.library.near", raising=False)
+    find(Kind.ROBOTS, "scara")
+    assert "dhcli.files.library.near" not in sys.modules
+    hint_for(Kind.ROBOTS, "skara")
+    assert "dhcli.files.library.near" in sys.modules
 
 
 def test_a_name_is_not_silently_a_file_in_this_folder(home: Path) -> None:

@@ -101,9 +101,7 @@ def test_a_chain_that_others_ship_moves_as_pinocchio_says(path: Path) -> None:
             assert "follows" in str(error) or "no joint of one variable" in str(error)
             continue
         q = drawn(robot)
-        notes = [line.partition(" is the joint ") for line in robot.notes.splitlines()]
-        names = {variable: joint.removesuffix(".") for variable, _, joint in notes}
-        given = {names.get(name, name): value for name, value in zip(robot.variables, q, strict=True)}
+        given = {robot.called.get(name, name): value for name, value in zip(robot.variables, q, strict=True)}
         truth = by_pinocchio(pinocchio, model, given, tip)
         reach = max(1.0, np.abs(truth[:3, 3]).max())
         assert np.abs(forward(robot, q).matrix - truth).max() <= CLOSE * reach

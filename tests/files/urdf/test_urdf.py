@@ -15,7 +15,8 @@ from dhcli.files.urdf.numbers import round_degrees
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.files.urdf.writing import urdf_text
 from dhcli.files.yaml.robots import load_robot, read_robot
-from dhcli.kinematics.describe.asked import Asked
+from dhcli.files.yaml.writing import described_text
+from dhcli.kinematics.describe.asked import Asked, Form
 from dhcli.kinematics.describe.description import describe
 from dhcli.kinematics.forward import forward
 from dhcli.kinematics.inverse.asked import inverse
@@ -121,7 +122,7 @@ def test_limits_and_names_of_joints_are_kept() -> None:
     robot = load_robot(DATA / "three-joints.urdf", tip="tool0")
     assert robot.variables == ("theta1", "theta2", "d3")
     assert set(robot.limits) == {"theta1", "d3"}
-    assert "theta2 is the joint elbow." in robot.notes
+    assert robot.called == {"theta1": "shoulder", "theta2": "elbow", "d3": "slide"}
 
 
 def test_joints_have_the_names_of_the_file_too() -> None:
@@ -134,6 +135,41 @@ def test_joints_have_the_names_of_the_file_too() -> None:
     for wrong, hint in (("elbw", "did you mean elbow"), ("thta2", "did you mean theta2"), ("foo", "known: theta1")):
         with pytest.raises(RobotError, match=f"no joint {wrong} .*{hint}"):
             joint_values(robot, f"{wrong}=0.2")
+
+
+def test_no_variable_has_the_name_of_another_joint() -> None:
+    """`theta1=0.3` would be the second joint, by its name, and is the first variable."""
+    text = THREE.replace('"shoulder"', '"turret_axis"').replace('"elbow"', '"theta1"')
+    robot = read_urdf(text, "x", "x", tip="tool0")
+    assert robot.called == {"phi1": "turret_axis", "phi2": "theta1", "s3": "slide"}
+    assert (
+        forward(robot, {"turret_axis": 0.3, "theta1": -1.1, "slide": 0.2}).rows == forward(robot, [0.3, -1.1, 0.2]).rows
+    )
+
+
+@pytest.mark.parametrize("form", ["standard", "modified", "axes", "screws", "body-screws", "product"])
+def test_a_description_keeps_the_names_of_the_joints(form: Form) -> None:
+    """Through a file, and on to a URDF."""
+    robot = load_robot(DATA / "three-joints.urdf", tip="tool0")
+    again = read_robot(described_text(describe(robot, Asked(form))), "x", "arm")
+    assert again.called == robot.called
+    assert joint_values(again, "elbow=0.2") == joint_values(again, "theta2=0.2")
+    assert [name for name in ("shoulder", "elbow", "slide") if f'<joint name="{name}"' not in urdf_text(again)] == []
+
+
+def test_names_of_joints_that_mean_two_are_told() -> None:
+    """Where a file says them; each with its line."""
+    file = (
+        "format: 1\ntitle: t\nsource: s\nconvention: product\nvariables: [q1, q2, q3]\ncalled:\n"
+        "  q1: elbow\n  q2: elbow\n  q3: q1\n  q4: wrist\nlinks: ['Rot(z, q1)', 'Rot(y, q2)', 'Rot(z, q3)']\n"
+    )
+    with pytest.raises(FileError) as caught:
+        read_robot(file, "f", "arm")
+    assert str(caught.value).splitlines() == [
+        "f:8:3: q2: elbow would be q2 and q1 (give each joint a name of its own)",
+        "f:9:3: q3: q1 would be q3 and q1 (give each joint a name of its own)",
+        "f:10:3: called: q4 is not a joint variable (did you mean q3 or q2 or q1?)",
+    ]
 
 
 def test_a_rounded_turn_at_the_tip_is_told_by_the_turn() -> None:
@@ -217,13 +253,19 @@ def with_change(old: str, new: str) -> str:
     [
         (THREE, "has 2 tips: which one?"),
         (with_change('type="revolute"', 'type="floating"'), "is floating, which is no joint of one variable"),
-        (with_change('type="revolute"', 'type="hinge"'), "there is no type hinge"),
+        (with_change('type="revolute"', 'type="hinge"'), "there is no type hinge (write revolute)"),
+        (with_change('type="prismatic"', 'type="Linear"'), "there is no type Linear (write prismatic)"),
         (with_change('<parent link="upper"/>', '<parent link="uper"/>'), "its parent uper is no link"),
         (with_change('<parent link="upper"/>', ""), "joint elbow has no <parent link=...>"),
         (with_change('<child link="fore"/>', '<child link="base_link"/>'), "is below itself: a loop"),
         (with_change('<child link="fore"/>', '<child link="upper"/>'), "is moved by shoulder already: a loop"),
         (with_change('<link name="fore"/>', '<link name="upper"/>'), "two links called upper"),
         (with_change('xyz="0 0 0.3"', 'xyz="0 0"'), "three numbers are wanted"),
+        (with_change('xyz="0 0 0.3"', 'xyz="0,0,0.25"'), "wanted, not '0,0,0.25' (write xyz=\"0 0 0.25\")"),
+        (with_change('<axis xyz="0 0 1"/>', '<axis xyz="0 1"/>'), "wanted, not '0 1' (write xyz=\"0 0 1\")"),
+        (with_change('rpy="0 0 0"', 'rpy="-pi/2 0 0"'), "'-pi/2' is no number (write -1.5708)"),
+        (with_change('rpy="0 0 0"', 'rpy="90deg 0 0"'), "'90deg' is no number (write 1.5708)"),
+        (with_change('rpy="0 0 0"', 'rpy="up 0 0"'), "rpy: 'up' is no number"),
         (with_change('xyz="0 0 0.3"', 'xyz="0 0 nan"'), "'nan' is no number"),
         (with_change('xyz="0 0 0.3"', 'xyz="0 0 ${h}"'), "this is a xacro"),
         (with_change("<robot", "<xacro:robot"), "this is a xacro"),
@@ -240,7 +282,8 @@ def with_change(old: str, new: str) -> str:
         (with_change('<?xml version="1.0"?>', '<!DOCTYPE r [<!ENTITY a "b">]>'), "a DOCTYPE is not read"),
         ("<svg/>", "<svg> is no URDF"),
         ("<sdf/>", "this is an SDF"),
-        ("<robot name='x'>", "is no XML"),
+        ("<robot name='x'>", "is no XML: no element found (is the file cut off? <robot> has no end)"),
+        ("<robot name='a&b'/>", "is &amp;"),
         ("<robot name='x'/>", "has no link"),
         ("<robot name='x'>" + "<a>" * 200 + "</a>" * 200 + "</robot>", "deeper than"),
     ],
@@ -251,6 +294,14 @@ def test_what_is_wrong_with_a_urdf_is_said(text: str, said: str) -> None:
     with pytest.raises(FileError) as caught:
         read_urdf(text, "arm.urdf", "arm", tip=tip)
     assert said in str(caught.value)
+
+
+@pytest.mark.parametrize(("limit", "is_told"), [("170", True), ("-170", True), ("18.8", False), ("1e16", False)])
+def test_limits_that_are_hardly_radians_are_told(limit: str, is_told: bool) -> None:
+    """Beyond three turns, unless they stand for none."""
+    text = THREE.replace('lower="-3.14" upper="3.14"', f'lower="{min(0, float(limit))}" upper="{max(0, float(limit))}"')
+    said = [one for one in read_urdf(text, "x", "x", tip="tool0").remarks if one.startswith("limits of shoulder: ")]
+    assert bool(said) is is_told
 
 
 def test_all_that_is_wrong_with_its_numbers_and_types_is_said_at_once() -> None:

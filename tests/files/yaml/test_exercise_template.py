@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from dhcli.errors import DhcliError
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.files.yaml.exercise_template import exercise_template
 from dhcli.files.yaml.exercises import read_exercise
 from dhcli.files.yaml.robots import load_robot

@@ -12,15 +12,15 @@ from dhcli.checking.kinds.factors import FactorsQuestion
 from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import FileError
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.robot_line import values_text
 from dhcli.files.yaml.robots import load_robot
-from dhcli.files.yaml.sheets import WIDEST, Sheet, check_numbers, read_sheet, write_sheet
+from dhcli.files.yaml.sheets import WIDEST, Sheet, check_numbers, judged_sheet, read_sheet, write_sheet
 from dhcli.files.yaml.tables import read_table
 from dhcli.kinematics.conventions import Convention
 from dhcli.notation.parser import parse
-from tests.judging import mark
+from tests.judging import judge_of, mark
 from tests.row_by_row import row_by_row
 
 ROOT = Path(__file__).parents[3]
@@ -198,7 +198,7 @@ def test_a_mistake_in_an_answer_is_found_in_the_sheet(sheet: Path) -> None:
         ("format: 2\nanswers: {a: 1}\n", "2"),
         ("- 1\n", ""),
         ("format: 1\nanswers: {a: 1, a: 2}\n", "a: stands twice"),
-        ("format: 1\nanswers:\n  a: &x [1]\n  b: *x\n", "YAML anchor"),
+        ("format: 1\nanswers: {a: &x [1], b: *x}\n", "YAML anchor"),
         ("format: 1\nanswers: {a: !!python/object/apply:os.system [ls]}\n", "tag"),
         ("format: 1\nanswers:\n  <<: {a: 1}\n", "merge key"),
         ("format: 1\nanswers: {? [1, 2] : 3}\n", "a key cannot be a list"),
@@ -219,11 +219,45 @@ def test_what_is_no_sheet_is_refused_with_a_reason(sheet: Path, text: str, said:
 
 
 def test_a_billion_laughs_are_not_laughed(sheet: Path) -> None:
-    """Aliases are refused before anything is expanded."""
+    """Aliases are refused before anything is expanded, in each answer by itself."""
     levels = "".join(f"  x{i}: &x{i} [{', '.join([f'*x{i - 1}'] * 9)}]\n" for i in range(1, 30))
-    found = problems(sheet, "format: 1\nanswers:\n  x0: &x0 [lol]\n" + levels)
-    assert "anchor" in found[0]
-    assert len(found) < 400
+    found = read(sheet, "  x0: &x0 [lol]\n" + levels).answers
+    assert len(found) == 30
+    assert all("anchor" in answer.problem for answer in found.values())
+    assert sum(len(answer.text) for answer in found.values()) < len(levels)
+
+
+ANSWERS = {
+    "a1": "c1 -s1 0 a1*c1; s1 c1 0 a1*s1; 0 0 1 0; 0 0 0 1",
+    "blocks": "1",
+    "d02": "a1*c1 + a2*c12, a1*s1 + a2*s12, 0",
+    "x2": "c12, s12, 0",
+}
+
+
+@row_by_row("slip", ["'{}", '"{}', "'{}'s", "[{}", "{{{}", "& {}", "*x {}", "|\n{}", "a: b: {}", "'{}\n\n  "])
+@row_by_row("broken", ANSWERS)
+def test_an_answer_that_is_no_yaml_leaves_the_others_what_they_are(sheet: Path, broken: str, slip: str) -> None:
+    """A stray quote, an open bracket, a line too far left: that answer is told of with its line, and no other."""
+    right = read(sheet, "".join(f"  {name}: '{text}'\n" for name, text in ANSWERS.items()))
+    written = [(name, slip.format(text) if name == broken else f"'{text}'") for name, text in ANSWERS.items()]
+    found = read(sheet, "".join(f"  {name}: {text}\n" for name, text in written))
+    assert set(found.answers) == set(ANSWERS)
+    for name, answer in found.answers.items():
+        assert (answer.text == right.answers[name].text) == (name != broken)
+        assert bool(answer.problem) == (name == broken)
+    marks = judged_sheet(judge_of(load_exercise(found.exercise)), found, "this sheet")
+    mark_of = {one.part.id: one.mark for one in marks.parts}
+    assert mark_of[broken].verdict is Verdict.CANNOT_READ
+    assert all(mark_of[name].verdict is Verdict.RIGHT for name in ANSWERS if name != broken)
+    line = 4 + list(ANSWERS).index(broken)
+    assert re.match(rf"{re.escape(str(sheet))}:({line}|{line + 1}):", mark_of[broken].remarks[0])
+
+
+def test_a_sheet_whose_fault_is_in_no_answer_is_refused_as_before(sheet: Path) -> None:
+    """A head that is no YAML, and an answer that stands twice."""
+    assert "never closed" in problems(sheet, "format: 1\nexercise: 'x\nanswers:\n  a: 1\n")[0]
+    assert "never closed" in problems(sheet, "format: 1\nanswers:\n  b: 2\n  b: 3\n  a: '1\n")[-1]
 
 
 def test_a_robot_file_is_a_table(tmp_path: Path) -> None:

@@ -41,10 +41,7 @@ def robot_of(drawing: Drawing) -> Robot:
 def again(robot: Robot, form: str, pose: dict[str, Angle | Number] | None = None) -> Robot:
     """A robot in another description, by way of its file."""
     if form == "urdf":
-        found = read_urdf(urdf_text(robot), "x", "arm", tip="tool0", as_typed=True)
-        names = [line.partition(" is the joint ") for line in found.notes.splitlines()]
-        order = [joint.removesuffix(".") for _, _, joint in names] or list(found.variables)
-        return replace(found, notes=" ".join(order))
+        return read_urdf(urdf_text(robot), "x", "arm", tip="tool0", as_typed=True)
     return read_robot(described_text(describe(robot, Asked(form, pose=pose))), "x", "arm")  # type: ignore[arg-type]
 
 
@@ -55,8 +52,7 @@ def gap(robot: Robot, q: dict[str, float], expected: np.ndarray) -> float:
 
 def values_of(robot: Robot, q: dict[str, float]) -> dict[str, float]:
     """Joint values by the names that a URDF has given the joints."""
-    names = robot.notes.split() or list(robot.variables)
-    return {variable: q[name] for variable, name in zip(robot.variables, names, strict=True)}
+    return {variable: q[robot.called.get(variable, variable)] for variable in robot.variables}
 
 
 @pytest.mark.parametrize("seed", cases_for_nights(range(1000), *range(3)))

@@ -109,12 +109,8 @@ def test_a_urdf_follows_where_moves_are_shared(robot: Robot, followers: list[str
     again = read_urdf(text, "x", "arm", tip="tool0", as_typed=True)
     leaders = [line.split('"')[1] for line in text.splitlines() if "<mimic" in line]
     assert leaders == followers
-    names = {own: own for own in again.variables}
-    for line in again.notes.splitlines():
-        own, _, joint = line.removesuffix(".").partition(" is the joint ")
-        names[own] = joint
     q = dict(zip(robot.variables, drawn(robot), strict=True))
-    pose = pose_of(again, [q[names[own]] for own in again.variables])
+    pose = pose_of(again, [q[again.called.get(own, own)] for own in again.variables])
     assert pose == pytest.approx(moved(robot, list(q.values())), abs=1e-12)
 
 

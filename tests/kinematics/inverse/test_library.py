@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from dhcli import Robot, Solutions, forward, forward_batch, inverse, inverse_batch, load_robot
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.kinematics.inverse.polishing import polished
 from dhcli.kinematics.inverse.question import ask
 from dhcli.kinematics.inverse.solutions import turning_joints

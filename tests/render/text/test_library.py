@@ -4,7 +4,7 @@ import pytest
 
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.library.catalogue import catalogue
-from dhcli.files.library.lookup import Kind
+from dhcli.files.library.entries import Kind
 from dhcli.files.progress import record
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper, in_ascii

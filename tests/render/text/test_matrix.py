@@ -3,7 +3,7 @@
 import pytest
 
 from dhcli import forward, load_robot, symbolic
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.tree import Expr
 from dhcli.render.look import Look

@@ -4,7 +4,7 @@ from functools import cache
 
 import pytest
 
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.entries import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.prose import folded
 from dhcli.render.look import Look
