@@ -42,6 +42,11 @@ class Solved:
     index: Ints
     """Which of the values of the joints held each is for, shape (K,)."""
 
+    def taken(self, at: Flags) -> Solved:
+        """Some of them."""
+        ways = tuple(self.freedoms[k] for k in np.flatnonzero(at).tolist())
+        return Solved(self.motions[at], self.residual[at], ways, self.index[at])
+
 
 def solve(
     ready: Prepared,
