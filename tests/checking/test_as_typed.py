@@ -254,6 +254,7 @@ RATES, POSE, TURN = "motion/planar-rates-in-numbers", "bajd/scara-pose-in-m", "i
         (RATES, "load", "403.65 -31.38 Ncm", "Ncm"),
         (RATES, "load", "4036.5, -313.8 N mm", "N mm"),
         (RATES, "rates", "29.04, -64.64 °/s", "°/s"),
+        (POSE, "tool", "43.5, 399, 250 mm", "mm"),
     ],
 )
 def test_a_unit_behind_the_last_number_alone_is_asked_about(exercise: str, part: str, answer: str, unit: str) -> None:
