@@ -34,7 +34,8 @@ def is_whole_matrix(text: str, blank: tuple[int, int]) -> bool:
     rows, columns = blank
     if not is_closed(text):
         return False
-    if _HALF.match(text) and _rows_in(text) < max(rows, columns if rows == 1 else 0):
+    between = ",;\n" if rows == 1 or "[[" in text else ";\n"
+    if _HALF.match(text) and _entries_in(text, between) < (columns if rows == 1 else rows):
         return False
     if _HALF.match(text) and text.count("=") > 1:
         return text.rstrip(" '.").endswith(("]", ")"))
@@ -55,11 +56,10 @@ def ends_in_bracket(text: str) -> bool:
     return start >= 0 and not set(bare[:start]) & set(",;&\n") and is_bracketed(bare[start:])
 
 
-def _rows_in(text: str) -> int:
-    """How many rows, or numbers of a list, stand in all brackets of a text."""
-    return sum(letter in ",;\n" and depth == 1 for letter, depth in zip(text, depths(text), strict=True)) + text.count(
-        "="
-    )
+def _entries_in(text: str, signs: str) -> int:
+    """How many pieces stand between signs in the brackets of a text, one bracket behind each name."""
+    within = zip(text, depths(text), strict=True)
+    return sum(letter in signs and depth == 1 for letter, depth in within) + text.count("=")
 
 
 def _outside_brackets(text: str) -> str:

@@ -67,6 +67,8 @@ def test_a_matrix_by_lines_is_not_whole_before_its_end(name: str) -> None:
         (JACOBIAN, "whole", "-a1 s1 - a2 s12, -a2 s12", False),
         (JACOBIAN, "whole", "-a1*s1-a2*s12 -a2*s12; a1*c1+a2*c12 a2*c12; 0 0; 0 0; 0 0; 1 1", True),
         (JACOBIAN, "whole", "Jv = [-a1*s1-a2*s12 -a2*s12; a1*c1+a2*c12 a2*c12; 0 0]", False),
+        (JACOBIAN, "whole", "Jv = [-a1s1-a2s12, -a2s12; a1c1+a2c12, a2c12; 0, 0]", False),
+        (JACOBIAN, "whole", "Jv = [[-a1*s1-a2*s12, -a2*s12], [a1*c1+a2*c12, a2*c12], [0, 0]]", False),
         (JACOBIAN, "whole", "Jv = [-a1*s1-a2*s12 -a2*s12; a1*c1+a2*c12 a2*c12; 0 0]\nJw = [0 0; 0 0; 1 1]", True),
         ("motion/scara-jacobian", "first", "v = (-l2c1-l3c12, -l2s1-l3s12, 0)", False),
         ("motion/scara-jacobian", "first", "v = (-l2c1-l3c12, -l2s1-l3s12, 0), ω = (0, 0, 1)", True),
