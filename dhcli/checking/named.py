@@ -6,9 +6,10 @@ import re
 from collections.abc import Collection, Iterator, Sequence
 from typing import TypeAlias
 
+from dhcli.checking.lists import untransposed
 from dhcli.checking.pasted import UnreadableError
 from dhcli.errors import are
-from dhcli.notation.brackets import closing, depths, split
+from dhcli.notation.brackets import OPENING, closing, depths, split
 from dhcli.notation.functions import FUNCTIONS
 from dhcli.notation.matrix import bracketed
 from dhcli.notation.names import canonical
@@ -36,7 +37,7 @@ _HEAD = regex(
 )
 """`(x, y, z) =` before the numbers."""
 _DRESS = regex(r"\\d?dot|\\mathrm|\\text|dot|/dt|[\\{}_'’\u0307 ]")  # noqa: RUF001
-_TAIL = regex(r"(?P<head>.*?)(?P<tail>[wxyz]|\d{1,2})")
+_TAIL = regex(r"(?P<head>.*?)(?P<tail>[vwxyz]|\d{1,2})")
 _SEPARATED = regex(r"[,;]")
 _DECIMAL_COMMA = regex(r"\d,\d")
 _BEHIND = (" the", " and", "\\\\")
@@ -57,6 +58,29 @@ def in_order(text: str, namings: Sequence[Naming], scope: Scope) -> str:
     """
     numbers = _numbers(text, namings, scope)
     return ("; " if any(map(_DECIMAL_COMMA.search, numbers)) else ", ").join(numbers) or text
+
+
+def in_one(text: str, naming: Naming, scope: Scope) -> str:
+    """Lists or matrices behind their names as one, `ω = (0, 0, 1), v = (a1, 0, 0)`; any other text as it is.
+
+    Args:
+        text: What was typed.
+        naming: What they are called, in the order in which they stand above each other.
+        scope: The names that may stand in the numbers.
+
+    Raises:
+        UnreadableError: One of them stands there twice, or is missing.
+    """
+    blocks = [untransposed(block).strip() for block in _numbers(text, (naming,), scope)]
+    if not blocks or not all(block[:1] in OPENING and closing(block) == len(block) - 1 for block in blocks):
+        return text
+    insides = [block[1:-1].strip() for block in blocks]
+    if all(inside.startswith("[") for inside in insides):
+        return f"[{', '.join(insides)}]"
+    if not any(set(inside) & set(",;\n") for inside in insides):  # numbers between blanks
+        insides = [", ".join(inside.split()) for inside in insides]
+    is_list = not any(set(inside) & set(";\n") for inside in insides)
+    return ", ".join(insides) if is_list else f"[{'; '.join(insides)}]"
 
 
 def in_rows(text: str, shape: tuple[int, int], scope: Scope) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from dhcli.checking.reckoned import ReckonedError, reckoned
+from dhcli.errors import joined
 from dhcli.notation.brackets import closing
 from dhcli.notation.commas import Shape
 from dhcli.notation.pasted import EntriesError, rows_of
@@ -23,6 +24,11 @@ _WORD = (
 )
 _WORDS = regex(rf"\s*(?P<words>{_WORD}(?:[ \t]{{1,9}}{_WORD}){{0,5}})[ \t]{{0,9}}(?P<colon>:?)\s*", re.IGNORECASE)
 """What people write before the bracket of a matrix, or with a colon before its rows: words, a letter with indices."""
+_NAMED = regex(
+    r"(?:\A\s{0,9}|[\])}]['ᵀ]?[^\S\n]{0,9}[;,\n]\s{0,9}(?:and\s{1,9})?)(?P<name>[^\W\d][\w{}'^ ]{0,14}?)\s{0,9}="
+    r"\s{0,9}(?=[\[(]|\\begin|\\left|np\.|array|[mM]atrix)"
+)
+"""A name before a matrix or a list, at the beginning or behind another one."""
 _CELLS = regex(r"[,;&\n]|\][^\]\[]{0,9}\[")
 _BEHIND = regex(r"\s{0,9}(?:\.?'|\^\{?\\?[A-Za-z]{1,3}\}?|ᵀ|\.T)?\s{0,9}(?:[A-Za-z°/]{1,6})?\s{0,9}[.;]?\s{0,9}")
 """Several cells, and what may stand behind their bracket."""
@@ -81,8 +87,12 @@ def without_label(text: str, shape: Shape | None = None) -> str:
         shape: Rows and columns of what is asked for, where several cells are.
 
     Raises:
-        UnreadableError: Two numbers that are not equal have a sign of equality between them, `7 = 6`.
+        UnreadableError: Several matrices or lists stand there, each with a name; or numbers that are not equal have a
+            sign of equality between them, `7 = 6`.
     """
+    several = [match["name"].strip() for match in _NAMED.finditer(text)]
+    if len(several) > 1:
+        raise UnreadableError(f"{joined(several)} stand here: write the one that is asked for")
     text = _ABOUT_NUMBER.sub("", _ABOUT_WORD.sub("", text))
     text = _ABOUT_NAMED.sub("=", text)
     text = _ABOUT.sub("=" if text[: text.find("≈")].strip() else "", text, count=1)

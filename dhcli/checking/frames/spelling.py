@@ -18,6 +18,7 @@ _MINUS = "\N{MINUS SIGN}"
 AXIS = regex(rf"([+\-{_MINUS}]?)([xyz])(?:_?\{{?\d{{1,3}}\}}?)?")
 """A direction along an axis of the base: `+z`, `-x0`."""
 
+_CAPITALS = regex(rf"(?<![\w)])[+\-{_MINUS}]?[XYZ](?=_?\{{?\d{{0,3}}\}}?(?:$|[\s,;|&)\]}}=:]))")
 _HAS_AXIS = regex(rf"(?:^|[\s,;=:|&(\[{{]){AXIS.pattern}(?=$|[\s,;|&)\]}}=:])")
 _HEADS = regex(r"\W{0,9}(?:frame|no|i)?\W{0,9}(?:origin|o)\W{1,9}x\W{1,9}(?:y\W{1,9})?z\W{0,9}", re.IGNORECASE)
 _NUMBER = regex(r"\s*(?:frame\s{0,9})?\{?(\d{1,4})\}?\s{0,9}:|\s*frame\s{1,9}(\d{1,4})(?=\s)", re.IGNORECASE)
@@ -28,6 +29,11 @@ _BLANK = regex(r"(?<![+*/^-])[ \t]+(?![*/^]|[-+][ \t])")
 _VECTOR = 3
 _PAIRS = 3
 """Pairs of brackets around a text that say nothing; more of them are no notation of frames."""
+
+
+def small_axes(text: str) -> str:
+    """A text with small letters for the capital ones of axes, `+X0`."""
+    return _CAPITALS.sub(lambda axis: axis[0].lower(), text)
 
 
 def has_frames(text: str) -> bool:

@@ -27,6 +27,7 @@ _BREAKS = frozenset(",&|;]}(")
 _NUMBER_SIGN = regex(r"^([^\S\n]{0,40}\|?[^\S\n]{0,40})#(?=[^\S\n]{0,40}[|,&\s])")
 _BULLET = regex(r"^([^\S\n]{0,40})-(?=[^\S\n]{1,40}[\[{])", re.MULTILINE)
 _ROW_NAME = regex(r"^\s{0,40}(?:(?:link|joint|row)\s{0,9})?(?:\d{1,2}\s{0,9}[:.)])?\s{0,9}(?=\S)", re.IGNORECASE)
+_CALL = regex(r"\s{0,40}[A-Za-z_]\w{0,30}\((?P<inside>[^()]{0,400}(?:\([^()]{0,99}\)[^()]{0,400}){0,4})\)[,;]?\s{0,40}")
 _NUMBERED = regex(
     r"^[^\S\n]{0,40}(?:(?:link|joint|row)[^\S\n]{0,9})?\d{1,2}[^\S\n]{0,9}(?:[:)]|\.(?=(?:[^,\n]{0,99},){3}))(?=[^\S\n]|[^\W\d])",
     re.IGNORECASE | re.MULTILINE,
@@ -56,10 +57,16 @@ class Heads:
 
 
 def keyed_rows(text: str) -> str:
-    """Rows whose cells have names, `Joint 1: θ = θ1, d = 0, a = a1, α = 0`, as those in braces; all, or none."""
+    """Rows whose cells have names, `Joint 1: θ = θ1, d = 0, a = a1, α = 0`, as those in braces; all, or none.
+
+    They may stand in one line with semicolons between them, and in the brackets of a class, `DHLink(a=a1, ...)`.
+    """
     rows = []
-    for line in text.splitlines():
-        cells = [cell.partition("=") for cell in re.split(r"[,;]", _ROW_NAME.sub("", line)) if cell.strip()]
+    lines = text.splitlines()
+    for line in lines if len(lines) > 1 else text.split(";"):
+        inside = _CALL.fullmatch(_ROW_NAME.sub("", line))
+        bare = inside["inside"] if inside else _ROW_NAME.sub("", line)
+        cells = [cell.partition("=") for cell in re.split(r"[,;]", bare) if cell.strip()]
         names = [column_of(name.strip())[0] for name, _, _ in cells]
         if cells and (sorted(names) != sorted(COLUMNS) or not all(value.strip() for _, _, value in cells)):
             return text

@@ -159,6 +159,6 @@ def kind_of(text: str, place: Place) -> str:
     """
     known = _KINDS.get(text.strip().lower())
     if known is None:
-        hint = did_you_mean(text, _KINDS) or "revolute, prismatic or fixed"
+        hint = did_you_mean(text, _KINDS)
         raise FileError(Problem(f"{text!r:.60} is no kind of joint", place, hint))
     return known
