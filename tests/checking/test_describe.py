@@ -48,8 +48,7 @@ def test_points_and_vectors_are_shown_in_the_unit_in_which_the_answer_is_judged(
     [
         (
             "velocity of 0..3 with rates (0.1, 0.2, 0)",
-            "the velocity [{unit}/s] of frame 3 seen from frame 0: three numbers, "
-            "for the joint rates (0.1 rad/s, 0.2 m/s, 0)",
+            "[{unit}/s] of frame 3 seen from frame 0: three numbers, for the joint rates (0.1 rad/s, 0.2 m/s, 0)",
         ),
         ("velocity of 0..1 with rates (0.1)", "for the joint rates (0.1) rad/s"),
         ("velocity of point (0, 0, 0.05) of 0..3 with rates (0, 0, 0)", "of the point (0, 0, 0.05) m of frame 3"),
