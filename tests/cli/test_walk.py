@@ -336,3 +336,18 @@ def test_the_walk_warns_too_before_it_asks(tmp_path: Path) -> None:
         assert "more than a turn" in screen.until("pose> ")
         screen.type("\x04")
         screen.end()
+
+
+@row_by_row("word", ["dunno", "next", "solution"])
+def test_a_word_that_is_no_answer_is_told_at_once(tmp_path: Path, word: str) -> None:
+    """It would be the first row of a matrix, and the walk would wait for the others; a name may stand before one."""
+    with Terminal(tmp_path, "check", PLANAR, "--part", "a1") as screen:
+        screen.until("a1> ")
+        screen.type(f"{word}\n")
+        told = screen.until("a1> ")
+        assert f"'{word}' is no answer, and none of the words hint, why, skip, back, quit, help." in told
+        assert ("dhcli solution yim/planar-two-links --part a1 works it out" in told) is (word == "solution")
+        screen.type("T\n")
+        screen.until("... ")
+        screen.type(f"{A1}\n\n")
+        assert screen.end() == 0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from dataclasses import dataclass, field, replace
 from enum import Enum
@@ -31,6 +32,8 @@ COMMANDS = {
 }
 ARROWS = "The arrow keys edit a line and bring back what you typed."
 GOES_ON = "What you are typing is not judged yet: an empty line ends it."
+LEAST_WORD = 3
+"""Letters of a word that begins no answer of several cells: `T` and `h` may stand before them, or be the first."""
 AGAIN = "Try again, or go on with an empty line."
 _TRY_AGAIN = (Verdict.WRONG, Verdict.CLOSE, Verdict.CANNOT_READ)
 
@@ -191,11 +194,20 @@ class _Walk:
                 if lines and word == "why":
                     self.write(GOES_ON, "dim")
                 continue
+            if not lines and math.prod(blank) > 1 and len(word) >= LEAST_WORD and word.isalpha():
+                self.refuse(part, word)
+                continue
             lines.append(line)
             if not line.strip() or part.question.is_whole("\n".join(lines), blank):
                 break
         self.typing.keep(recalled(lines, is_matrix=part.question.in_rows or blank[0] > 1))
         return "\n".join(lines)
+
+    def refuse(self, part: Part, word: str) -> None:
+        """Say at once that a word is none of those known: as the first row of a matrix it would wait for the others."""
+        self.write(f"'{word}' is no answer, and none of the words {', '.join(COMMANDS)}.")
+        if word == "solution":
+            self.write(f"dhcli solution {self.judge.exercise.typed} --part {part.id} works it out, behind quit.")
 
     def tell(self, part: Part, word: str) -> None:
         """What a person asks for besides answering."""
