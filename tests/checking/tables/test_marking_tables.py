@@ -163,7 +163,7 @@ def test_a_single_row_of_letters_is_a_row_and_not_its_heads() -> None:
         (changed(PUMA, "d4  θ4", "d4  30mm"), "row 4, theta: 30mm: mm is a unit of length"),
         (
             changed(PUMA, "d4  θ4", "d4  0"),
-            "no row has theta4: a table holds the variables of its joints and not their values; write theta4 in the theta cell",
+            "no row has theta4: a table holds the variables of its joints and not their values; write theta4 in",
         ),
         (changed(PUMA, "d4  θ4", "d4  θ3"), "row 4, theta: theta3 stands in row 3, theta too"),
         (changed(PUMA, "d4  θ4", "d4  θ4+θ5"), "row 4 moves with theta4 and theta5"),
