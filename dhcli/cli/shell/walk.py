@@ -15,6 +15,7 @@ from dhcli.cli.shell.console import tell, write_out
 from dhcli.cli.shell.lines import Typing, recalled
 from dhcli.cli.shell.quiz import remember
 from dhcli.files.progress import SOLVED, read_progress
+from dhcli.files.yaml.beside import given_lines, how_written
 from dhcli.render.kinds import render
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
@@ -143,9 +144,10 @@ class _Walk:
         exercise = self.judge.exercise
         self.write(exercise.title, "bold")
         self.write(exercise.task.strip())
-        if exercise.given:
-            self.write(f"\ngiven: {exercise.given_text}")
-        self.write(f"\n{HELP}", "dim")
+        for number, text in enumerate(given_lines(exercise)):
+            self.write(text if number else f"\n{text}")
+        for number, text in enumerate((*how_written(exercise), HELP)):
+            self.write(text if number else f"\n{text}", "dim")
 
     def settle(self, part: Part) -> Step:
         """Ask a part until it is solved or left."""

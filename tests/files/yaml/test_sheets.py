@@ -14,8 +14,8 @@ from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import FileError
 from dhcli.files.library.entries import Kind, entries
+from dhcli.files.yaml.beside import values_text
 from dhcli.files.yaml.exercises import load_exercise
-from dhcli.files.yaml.robot_line import values_text
 from dhcli.files.yaml.robots import load_robot
 from dhcli.files.yaml.sheets import WIDEST, Sheet, check_numbers, judged_sheet, read_sheet, write_sheet
 from dhcli.files.yaml.tables import read_table
