@@ -32,6 +32,8 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.batch import inverse_batch as inverse_batch
     from dhcli.kinematics.inverse.path import follow as follow
     from dhcli.kinematics.inverse.solutions import Solutions as Solutions
+    from dhcli.kinematics.inverse.solutions import in_numbers as in_numbers
+    from dhcli.kinematics.inverse.turns import limits_of as limits_of
     from dhcli.kinematics.motors import in_motors as in_motors
     from dhcli.kinematics.pose import Pose as Pose
     from dhcli.kinematics.robot import Robot as Robot
@@ -74,6 +76,8 @@ _HOMES = {
     "list_robots": "dhcli.files.library.entries",
     "load_exercise": "dhcli.files.yaml.exercises",
     "in_motors": "dhcli.kinematics.motors",
+    "in_numbers": "dhcli.kinematics.inverse.solutions",
+    "limits_of": "dhcli.kinematics.inverse.turns",
     "load_robot": "dhcli.files.yaml.robots",
     "manipulability": "dhcli.kinematics.velocity.measures",
     "quaternions": "dhcli.geometry.many",
@@ -104,10 +108,12 @@ __all__ = [
     "forward",
     "forward_batch",
     "in_motors",
+    "in_numbers",
     "inverse",
     "inverse_batch",
     "jacobian",
     "joint_rates",
+    "limits_of",
     "list_robots",
     "load_exercise",
     "load_robot",

@@ -113,6 +113,30 @@ def test_the_forms_of_a_four_bar_agree() -> None:
     assert [one.mobility for one in found] == [1, 1, None, None]
 
 
+def test_a_joint_in_a_line_has_its_numbers_where_they_stand() -> None:
+    """As names say them, and what is wrong with one is told at its own place."""
+    lines = (
+        "ground R a at [0, 0]",
+        "a R b at [0, r*cos(0°)]",
+        "b R c at [3,2]",
+        "c R ground at [3, 0 ] about [0, 0, 1]",
+    )
+    placed = read("space: planar\nlet: {r: 100 cm}\njoints:\n" + "".join(f"  - {line}\n" for line in lines))
+    named = read(FOUR_BAR + JOINTS)
+    assert isinstance(placed, Linkage)
+    assert isinstance(named, Linkage)
+    assert [joint.point for joint in placed.joints] == [joint.point for joint in named.joints]
+    assert placed.joints[-1].axis == (0, 0, 1)
+    slide = read("space: spatial\njoints:\n  - ground C a at [1, 2, -3] along [1, 0, -1]\n")
+    assert isinstance(slide, Linkage)
+    assert (slide.joints[0].point, slide.joints[0].axis) == ((1, 2, -3), (1, 0, -1))
+    with pytest.raises(DhcliError) as caught:
+        read("space: planar\njoints:\n  - ground R a at [0, q]\n")
+    place = caught.value.problems[0].place
+    assert place is not None
+    assert (place.line, place.column) == (6, 23)
+
+
 def test_a_pin_through_three_links_is_two_joints() -> None:
     """In both forms."""
     text = FOUR_BAR + "joints: [{type: R, links: [ground, a, b], point: A}]\n"

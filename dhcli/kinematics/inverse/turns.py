@@ -12,7 +12,7 @@ from dhcli.errors import plural
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.inverse.solutions import Beyond, Solutions, shown_beyond, turning_joints
 from dhcli.kinematics.limits import SLACK, far_limits
-from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.robot import Robot, check_robot
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -24,7 +24,22 @@ MOST_TURNS = 4096
 
 
 def limits_of(robot: Robot) -> Array:
-    """The limits of the joints, shape (n, 2), infinite where a joint has none."""
+    """The limits of the joints in radians and metres.
+
+    >>> from dhcli import limits_of, load_robot
+    >>> limits_of(load_robot("puma560")).round(4)[:2].tolist()
+    [[-2.7925, 2.7925], [-3.927, 0.7854]]
+
+    Args:
+        robot: The robot.
+
+    Returns:
+        Lowest and highest value of each variable, shape (n, 2) [rad, or m of a slide]; infinite where it has none.
+
+    Raises:
+        RobotError: It is no robot.
+    """
+    check_robot(robot)
     result = np.tile([-np.inf, np.inf], (len(robot.variables), 1))
     for k, name in enumerate(robot.variables):
         if name in robot.limits:
