@@ -7,10 +7,9 @@ array exists, and a product with it is never computed. All other numbers only ne
 from __future__ import annotations
 
 from collections.abc import Iterable
-from fractions import Fraction
 from typing import Protocol, TypeVar
 
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational
 from dhcli.notation.tree import Call, Constant, Expr, Number, Power, Product, Sum, Symbol, Trig
 
 N = TypeVar("N")
@@ -39,7 +38,7 @@ class Arithmetic(Protocol[N_co]):
 class Evaluator(Arithmetic[N], Protocol[N]):
     """An arithmetic that `evaluate` can run a tree over, leaf by leaf."""
 
-    def number(self, value: Fraction) -> N:
+    def number(self, value: Rational) -> N:
         """An exact number."""
         ...
 
@@ -51,7 +50,7 @@ class Evaluator(Arithmetic[N], Protocol[N]):
         """The number π."""
         ...
 
-    def power(self, base: N, exponent: Fraction) -> N:
+    def power(self, base: N, exponent: Rational) -> N:
         """A rational power."""
         ...
 

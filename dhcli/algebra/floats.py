@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from fractions import Fraction
 
 from dhcli.algebra.arithmetic import evaluate, evaluate_settled, right_angle
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational
 from dhcli.notation.tree import ZERO, Expr, Number
 
-_EXACT_SINES = {0: 0.0, 30: 0.5, 90: 1.0}
+_EXACT_SINES: Mapping[Rational, float] = {0: 0.0, 30: 0.5, 90: 1.0}
 
 MOST_TURNED = 1000
 """Angles whose cosines are kept: a point may serve the answers of a whole class."""
@@ -81,7 +80,7 @@ class Floats:
         """0.0, 1.0 or -1.0."""
         return float(value)
 
-    def number(self, value: Fraction) -> float:
+    def number(self, value: Rational) -> float:
         """The nearest float; a quotient of two integers is one."""
         return value.numerator / value.denominator
 
@@ -95,7 +94,7 @@ class Floats:
         """3.14159..."""
         return math.pi
 
-    def power(self, base: float, exponent: Fraction) -> float:
+    def power(self, base: float, exponent: Rational) -> float:
         """A power; NaN where it is not real."""
         try:
             if exponent.numerator == 1 and exponent.denominator == 2:  # noqa: PLR2004  a square root
@@ -114,7 +113,7 @@ class Floats:
             return math.nan
 
 
-def cosine_of_degrees(degrees: Fraction) -> float:
+def cosine_of_degrees(degrees: Rational) -> float:
     """Cosine of exact degrees, reduced exactly to the first 45° before a float exists."""
     degrees %= 360
     if degrees > 180:  # noqa: PLR2004
@@ -122,6 +121,6 @@ def cosine_of_degrees(degrees: Fraction) -> float:
     if degrees > 90:  # noqa: PLR2004
         return -cosine_of_degrees(180 - degrees)
     if degrees > 45:  # noqa: PLR2004
-        exact = _EXACT_SINES.get(90 - degrees)  # type: ignore[call-overload]
+        exact = _EXACT_SINES.get(90 - degrees)
         return math.sin(math.radians(90 - degrees)) if exact is None else exact
     return math.cos(math.radians(degrees))

@@ -13,11 +13,10 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Iterable, Mapping
-from fractions import Fraction
 from functools import lru_cache
 
 from dhcli.algebra.arithmetic import CannotHoldError, evaluate, right_angle
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational
 from dhcli.notation.tree import Expr, Trig
 from dhcli.notation.walk import walk
 
@@ -71,7 +70,7 @@ class Field:
         """2 cos φ for an angle of so many half degrees."""
         return (self.root_of_unity(steps) + self.root_of_unity(-steps)) % self.prime
 
-    def square_root(self, value: Fraction) -> int:
+    def square_root(self, value: Rational) -> int:
         """The root of a rational whose prime factors are at most 31, with any square.
 
         Raises:
@@ -217,7 +216,7 @@ class Residues:
         """The same integer."""
         return value
 
-    def number(self, value: Fraction) -> int:
+    def number(self, value: Rational) -> int:
         """A fraction as a residue."""
         return value.numerator * self.field.inverse(value.denominator) % self.field.prime
 
@@ -231,7 +230,7 @@ class Residues:
         """The number π is transcendental, so it is one more name."""
         return self.symbol("π")
 
-    def power(self, base: int, exponent: Fraction) -> int:
+    def power(self, base: int, exponent: Rational) -> int:
         """A whole power; roots are known for rationals only."""
         if exponent.denominator == 1:
             if exponent < 0:
@@ -239,8 +238,8 @@ class Residues:
             return pow(base, abs(exponent.numerator), self.field.prime)
         if exponent.denominator != 2 or base > LARGEST_RADICAND:  # noqa: PLR2004  a square root
             raise CannotHoldError
-        root = self.field.square_root(Fraction(base))
-        return self.power(root, Fraction(exponent.numerator))
+        root = self.field.square_root(base)
+        return self.power(root, exponent.numerator)
 
     def call(self, function: str, arguments: list[int]) -> int:
         """No other function has a value among residues."""

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from dhcli.algebra.arithmetic import evaluate, evaluate_settled
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational
 from dhcli.notation.styles import identifier
 from dhcli.notation.tree import Expr, Number
 
@@ -38,7 +37,7 @@ class Sympy:
 
         return sympy.Integer(value)
 
-    def number(self, value: Fraction) -> sympy.Expr:
+    def number(self, value: Rational) -> sympy.Expr:
         """A sympy rational."""
         import sympy
 
@@ -56,7 +55,7 @@ class Sympy:
 
         return sympy.pi
 
-    def power(self, base: sympy.Expr, exponent: Fraction) -> sympy.Expr:
+    def power(self, base: sympy.Expr, exponent: Rational) -> sympy.Expr:
         """A rational power."""
         return base ** self.number(exponent)
 

@@ -15,7 +15,7 @@ from typing import TypeAlias
 from dhcli.algebra.arithmetic import evaluate, plus, times
 from dhcli.algebra.floats import Floats
 from dhcli.frozen import frozen
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational
 from dhcli.notation.tree import Expr
 
 UFUNCS = {"acos": "arccos", "asin": "arcsin", "atan": "arctan", "atan2": "arctan2"}
@@ -119,7 +119,7 @@ class Tape:
     def cos_sin(self, angle: Angle) -> tuple[Number | int, Number | int]:
         """Cosine and sine; right angles in it are carried out as swaps and signs, before any number is rounded."""
         angle = angle.substitute(self._angles)
-        quarters = round(angle.degrees / 90)
+        quarters = round(Fraction(angle.degrees, 90))
         rest = angle - Angle.in_degrees(90 * quarters)
         turning = self._half(rest) if self._tangents else self._whole(rest)
         if turning is None:
@@ -150,7 +150,7 @@ class Tape:
         ratio = self.step("divide", 2.0, (tangent * tangent + 1.0).column)
         return ratio + -1.0, tangent * ratio
 
-    def _scaled(self, angle: Angle, scale: Fraction | int) -> Number | int:
+    def _scaled(self, angle: Angle, scale: Rational) -> Number | int:
         """A multiple of an angle [rad]."""
         total: Number | int = angle.constant() * float(scale) or 0
         for name, factor in angle.terms:
@@ -166,7 +166,7 @@ class Tape:
         """0.0, 1.0 or -1.0."""
         return float(value)
 
-    def number(self, value: Fraction) -> Number:
+    def number(self, value: Rational) -> Number:
         """The nearest float."""
         return float(value)
 
@@ -178,7 +178,7 @@ class Tape:
         """3.14159..."""
         return self._known.pi()
 
-    def power(self, base: Number, exponent: Fraction) -> Number:
+    def power(self, base: Number, exponent: Rational) -> Number:
         """A power; NaN where it is not real."""
         if not isinstance(base, Cell):
             return self._known.power(base, exponent)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from fractions import Fraction
 from itertools import combinations
 
 from dhcli.checking.exercise import Exercise
@@ -13,7 +12,7 @@ from dhcli.kinematics.axes import Arm
 from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational
 from dhcli.notation.tree import Number
 
 RIGHT_ANGLE = 90
@@ -55,7 +54,7 @@ def _of_angles(values: Mapping[str, Value], varied: Collection[str]) -> str:
     return ""
 
 
-def _is_right(degrees: Fraction, radians: Fraction) -> bool:
+def _is_right(degrees: Rational, radians: Rational) -> bool:
     """Whether an angle is a multiple of a right one."""
     return not radians and degrees.denominator == 1 and not degrees.numerator % RIGHT_ANGLE
 

@@ -7,6 +7,7 @@ from typing import TypeAlias
 
 from dhcli.checking.verdicts import Verdict
 from dhcli.frozen import frozen
+from dhcli.notation.angle import magnitude
 from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.tree import Expr, Number, Power, Product, Unit, negate
 
@@ -85,9 +86,10 @@ def significant_decimals(expr: Expr) -> int:
     places, number = typed_decimals(expr), expr if isinstance(expr, Number) else negate(expr)
     if places is None or not isinstance(number, Number):
         return 0
-    scaled = abs(number.value) * 10**places
+    size = magnitude(number.value)
+    scaled = size * 10**places
     digits = str(int(scaled))
-    return places if abs(number.value) >= 1 else min(places, len(digits)) if scaled else 0
+    return places if size >= 1 else min(places, len(digits)) if scaled else 0
 
 
 def agreeing(numbers: Mapping[Place, tuple[Expr, float]]) -> dict[Place, bool]:

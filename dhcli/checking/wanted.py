@@ -91,6 +91,11 @@ class Wanted:
         return f"the inverse of {whole}" if self.inverse else whole
 
     @property
+    def is_factor(self) -> bool:
+        """Whether other matrices can be multiplied by the answer."""
+        return self.piece in ("pose", "rotation")
+
+    @property
     def needs_table(self) -> bool:
         """Whether it is a matrix of the robot."""
         return isinstance(self.source, View)

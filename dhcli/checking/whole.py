@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dhcli.checking.pasted import is_bracketed
-from dhcli.notation.brackets import OPENING, STEPS
+from dhcli.notation.brackets import STEPS, depths
 from dhcli.regex import regex
 
 _GOES_ON = ("+", "-", "*", "/", "^", "=", ",", ";", "·", "...")
@@ -34,8 +34,10 @@ def is_whole_matrix(text: str, blank: tuple[int, int]) -> bool:
         return True
     apart = _outside_brackets(text)
     if rows > 1:
-        return rows - 1 == apart[";"]
-    return columns - 1 in apart.values() or (bool(_NUMBERS.fullmatch(text.strip())) and len(text.split()) == columns)
+        return rows - 1 == apart.count(";")
+    return columns - 1 in (apart.count(","), apart.count(";")) or (
+        bool(_NUMBERS.fullmatch(text.strip())) and len(text.split()) == columns
+    )
 
 
 def ends_in_bracket(text: str) -> bool:
@@ -45,11 +47,6 @@ def ends_in_bracket(text: str) -> bool:
     return start >= 0 and not set(bare[:start]) & set(",;&\n") and is_bracketed(bare[start:])
 
 
-def _outside_brackets(text: str) -> dict[str, int]:
-    """How many commas and semicolons stand outside brackets."""
-    depth, found = 0, {",": 0, ";": 0}
-    for letter in text:
-        depth += (letter in OPENING) - (letter in OPENING.values())
-        if depth == 0 and letter in found:
-            found[letter] += 1
-    return found
+def _outside_brackets(text: str) -> str:
+    """What of a text stands outside brackets."""
+    return "".join(letter for letter, depth in zip(text, depths(text), strict=True) if not depth)

@@ -70,10 +70,14 @@ def rotate(rows: Rows[N], plane: tuple[int, int], cos: N | int, sin: N | int) ->
     if type(cos) is int and cos == 0:  # a right angle changes the places of the rows
         rows[first], rows[second] = [times(minus, v) for v in lower], [times(sin, u) for u in upper]
         return
+    is_plain = type(cos) is not int
     for at, (u, v) in enumerate(zip(upper, lower, strict=True)):  # most entries are 0
         if type(v) is int and v == 0:
-            upper[at], lower[at] = times(cos, u), times(sin, u)
+            if type(u) is not int or u != 0:
+                upper[at], lower[at] = times(cos, u), times(sin, u)
         elif type(u) is int and u == 0:
             upper[at], lower[at] = times(minus, v), times(cos, v)
+        elif is_plain and type(u) is not int and type(v) is not int:
+            upper[at], lower[at] = cos * u + minus * v, sin * u + cos * v  # type: ignore[operator]
         else:
             upper[at], lower[at] = plus(times(cos, u), times(minus, v)), plus(times(sin, u), times(cos, v))

@@ -134,7 +134,7 @@ class Actuators:
                     angle += value * ratio
                 elif ratio:
                     size = Fraction(math.degrees(value.constant())) if isinstance(value, Angle) else metres(value)
-                    size = value.degrees if isinstance(value, Angle) and not value.radians else size
+                    size = Fraction(value.degrees) if isinstance(value, Angle) and not value.radians else size
                     total, angle = total + size * ratio, angle + Angle.in_degrees(size * ratio)
             found[name] = angle if turns else number(total)
         return found

@@ -45,6 +45,8 @@ class Row:
 
 
 COLUMNS = ("a", "alpha", "d", "theta")
+LETTERS = {"a": "a", "alpha": "α", "d": "d", "theta": "θ"}
+"""The columns as a book writes them."""
 STILL = (*(Rot(axis, Angle()) for axis in AXES), Trans(ZERO, ZERO, ZERO))
 """Moves that do nothing."""
 

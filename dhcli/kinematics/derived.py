@@ -24,7 +24,7 @@ def in_floats(value: Value) -> float:
 
 def metres(length: Value) -> Fraction:
     """A constant length [m]; exact where it is a plain number."""
-    return length.value if isinstance(length, Number) else Fraction(in_floats(length))
+    return Fraction(length.value) if isinstance(length, Number) else Fraction(in_floats(length))
 
 
 @frozen

@@ -76,7 +76,7 @@ def _terms(expr: Expr, motors: Sequence[str], joints: Sequence[str]) -> list[tup
 def _leaf(expr: Expr, motors: Sequence[str], joints: Sequence[str]) -> tuple[str, Fraction, int, int]:
     match expr:
         case Number(value):
-            return "", value, 0, 0
+            return "", Fraction(value), 0, 0
         case Symbol(name) if name in motors:
             return name, Fraction(1), 0, 0
         case Symbol(name) if name in joints:

@@ -81,7 +81,7 @@ def _join(merged: list[Move], index: int, turn: Rot) -> None:
     total = head.angle + turn.angle * sign
     del merged[index:]
     offset = Trans(carried[0][3], carried[1][3], carried[2][3])
-    if any(length != Number(0) for length in offset.offset):  # type: ignore[arg-type]
+    if any(length != ZERO for length in offset.offset):
         merged.append(offset)
     merged.append(Rot(head.axis, total))
     merged.extend(constant for move in between if (constant := _without_offset(move)) is not None)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from fractions import Fraction
 from typing import TypeAlias
 
 from dhcli.errors import Place
@@ -129,7 +130,7 @@ def substituted(chain: Chain, lengths: Mapping[str, Expr], angles: Mapping[str, 
 
 def in_radians(angle: Angle) -> Expr:
     """An angle as a number of radians, names and π in it."""
-    constant = add(multiply(number(angle.degrees / 180), PI), number(angle.radians))
+    constant = add(multiply(number(Fraction(angle.degrees, 180)), PI), number(angle.radians))
     return add(*(multiply(number(factor), Symbol(name)) for name, factor in angle.terms), constant)
 
 
@@ -145,7 +146,7 @@ def expressions(chain: Iterable[Move]) -> Iterable[Expr]:
 
 def angle_names(chain: Iterable[Move]) -> frozenset[str]:
     """Names that stand inside rotations."""
-    return frozenset().union(*(move.angle.names for move in chain if isinstance(move, Rot)))
+    return frozenset([name for move in chain if type(move) is Rot for name, _ in move.angle.terms])
 
 
 def every_angle(chain: Chain) -> frozenset[str]:
@@ -155,7 +156,7 @@ def every_angle(chain: Chain) -> frozenset[str]:
 
 def names(chain: Chain) -> frozenset[str]:
     """Every name that a chain needs a value for."""
-    return angle_names(chain).union(*(symbols(expr) for expr in expressions(chain) if type(expr) is not Number))
+    return angle_names(chain).union(*[symbols(expr) for expr in expressions(chain) if type(expr) is not Number])
 
 
 def spelled(move: Move, joints: Joints = THETAS) -> str:

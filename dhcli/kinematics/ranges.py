@@ -11,7 +11,7 @@ from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.derived import metres
 from dhcli.kinematics.robot import Value
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational
 from dhcli.notation.quantity import UNITS
 from dhcli.notation.tokens import Source, tokenize
 from dhcli.notation.tree import Number, number, places_of
@@ -110,9 +110,9 @@ def steps_between(first: Value, last: Value, step: Value) -> Fraction:
     way = difference(first, last)
     if isinstance(way, Angle) and isinstance(step, Angle):
         if not way.radians and not step.radians:
-            return way.degrees / step.degrees
+            return Fraction(way.degrees, step.degrees)
         if not way.degrees and not step.degrees:
-            return way.radians / step.radians
+            return Fraction(way.radians, step.radians)
         return Fraction(way.constant()) / Fraction(step.constant())
     return metres(way) / metres(step)
 
@@ -131,7 +131,7 @@ def total(first: Value, second: Value) -> Value:
     return _length(metres(first) + metres(second))
 
 
-def times(value: Value, factor: Fraction | int) -> Value:
+def times(value: Value, factor: Rational) -> Value:
     """A multiple of a constant value."""
     return value * factor if isinstance(value, Angle) else _length(metres(value) * factor)
 

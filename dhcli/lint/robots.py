@@ -13,7 +13,7 @@ from dhcli.kinematics.moves import names
 from dhcli.kinematics.validity import Finding
 from dhcli.kinematics.values import symbols_of
 from dhcli.lint.wording import unfinished
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, magnitude
 from dhcli.notation.quantity import value_text
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
@@ -68,7 +68,7 @@ def _rows(robot: Description) -> Iterator[Finding]:
             yield Finding(where, message, "did its joint variable get lost?")
         for column in ("alpha", "theta"):
             angle: Angle = getattr(row, column)
-            if abs(angle.degrees) > FULL_TURN or abs(float(angle.radians)) > FULL_TURN / 57:
+            if magnitude(angle.degrees) > FULL_TURN or abs(float(angle.radians)) > FULL_TURN / 57:
                 message = f"{column} of row {index + 1}: {value_text(Angle((), angle.degrees, angle.radians))}"
                 yield Finding((*where, column), f"{message} is more than a turn", "rad or °?", is_warning=True)
             for name, factor in angle.terms:

@@ -8,14 +8,19 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
+from typing import TypeAlias
 
 from dhcli.frozen import frozen
 from dhcli.notation.names import natural_key
 
-ZERO, ONCE = Fraction(0), Fraction(1)
-"""What most angles are made of; the same ones always, so that to compare them takes no arithmetic."""
+Rational: TypeAlias = int | Fraction
+"""An exact number. A whole one need be no fraction, with which Python computes ten times as long; but the quotient of
+two whole ones is a float, and so a quotient is written `Fraction(a, b)`, and a power to a negative exponent of one."""
 
-FULL_TURN = Fraction(360)
+ZERO, ONCE = 0, 1
+"""What most angles are made of."""
+
+FULL_TURN = 360
 FULL_TURN_IN_RADIANS = Fraction(44, 7)
 """A number beyond this beside a joint angle is meant in degrees, or `rad` would stand behind it."""
 
@@ -47,9 +52,9 @@ class Angle(Hashed):
         radians: The constant part given in bare radians, such as 0.3.
     """
 
-    terms: tuple[tuple[str, Fraction], ...] = ()
-    degrees: Fraction = ZERO
-    radians: Fraction = ZERO
+    terms: tuple[tuple[str, Rational], ...] = ()
+    degrees: Rational = ZERO
+    radians: Rational = ZERO
 
     def __eq__(self, other: object) -> bool:
         """Cheaper than comparing fractions: most have the same ones."""
@@ -88,9 +93,9 @@ class Angle(Hashed):
         return cls(((name, ONCE),))
 
     @classmethod
-    def in_degrees(cls, value: int | Fraction) -> Angle:
+    def in_degrees(cls, value: Rational) -> Angle:
         """A constant angle."""
-        return cls(degrees=Fraction(value))
+        return cls(degrees=value)
 
     @property
     def names(self) -> frozenset[str]:
@@ -117,17 +122,16 @@ class Angle(Hashed):
         return Angle(terms, _plus(self.degrees, other.degrees), _plus(self.radians, other.radians))
 
     def __neg__(self) -> Angle:
-        terms = tuple([(name, _negated(factor)) for name, factor in self.terms])
-        return Angle(terms, _negated(self.degrees), _negated(self.radians))
+        return Angle(tuple([(name, -factor) for name, factor in self.terms]), -self.degrees, -self.radians)
 
     def __sub__(self, other: Angle) -> Angle:
         return self + (-other)
 
-    def __mul__(self, factor: Fraction | int) -> Angle:
+    def __mul__(self, factor: Rational) -> Angle:
         if factor == 0:
             return Angle()
-        terms = tuple([(name, _times(coefficient, factor)) for name, coefficient in self.terms])
-        return Angle(terms, _times(self.degrees, factor), _times(self.radians, factor))
+        terms = tuple([(name, coefficient * factor) for name, coefficient in self.terms])
+        return Angle(terms, self.degrees * factor, self.radians * factor)
 
     def quarter_turns(self) -> int | None:
         """How many right angles this is, 0 to 3, or None if it is not a whole number of them."""
@@ -158,19 +162,12 @@ class Angle(Hashed):
         return (math.radians(self.degrees) if self.degrees else 0.0) + (float(self.radians) if self.radians else 0.0)
 
 
-def _negated(value: Fraction) -> Fraction:
-    if value is ZERO:
-        return value
-    return ONCE if value.numerator == -1 and value.denominator == 1 else -value
+def magnitude(value: Rational) -> Rational:
+    """The absolute value; the type checker knows `abs` of a whole number, and of a fraction, but not of either."""
+    return -value if value < 0 else value
 
 
-def _times(value: Fraction, factor: Fraction | int) -> Fraction:
-    if value is ZERO or factor == 1:
-        return value
-    return factor if value is ONCE and isinstance(factor, Fraction) else value * factor
-
-
-def _plus(first: Fraction, second: Fraction) -> Fraction:
+def _plus(first: Rational, second: Rational) -> Rational:
     """The sum of two constant parts, most of which are 0."""
     if second is ZERO:
         return first
@@ -182,8 +179,8 @@ def _plus(first: Fraction, second: Fraction) -> Fraction:
     return total
 
 
-def _collect(terms: Iterable[tuple[str, Fraction]]) -> tuple[tuple[str, Fraction], ...]:
-    total: dict[str, Fraction] = {}
+def _collect(terms: Iterable[tuple[str, Rational]]) -> tuple[tuple[str, Rational], ...]:
+    total: dict[str, Rational] = {}
     for name, factor in terms:
         total[name] = _plus(total.get(name, ZERO), factor)
     return tuple(sorted(((n, f) for n, f in total.items() if f), key=lambda term: natural_key(term[0])))

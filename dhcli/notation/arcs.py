@@ -6,17 +6,18 @@ An angle that is a multiple of 30° or 45° is found exactly; any other is the d
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from fractions import Fraction
 
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational
 from dhcli.notation.dimensions import DimensionError, check_is, has_units, in_metres
 from dhcli.notation.tree import Call, Constant, Expr, Number, Power, Product, Sum, Trig, multiply, power
 from dhcli.notation.walk import symbols
 
-_SQUARES_OF_COSINES = {Fraction(0): 90, Fraction(1, 4): 60, Fraction(1, 2): 45, Fraction(3, 4): 30, Fraction(1): 0}
+_SQUARES_OF_COSINES: Mapping[Rational, int] = {0: 90, Fraction(1, 4): 60, Fraction(1, 2): 45, Fraction(3, 4): 30, 1: 0}
 """The acute angle in degrees by the square of its cosine."""
 
-_SQUARES_OF_TANGENTS = {Fraction(0): 0, Fraction(1, 3): 30, Fraction(1): 45, Fraction(3): 60}
+_SQUARES_OF_TANGENTS: Mapping[Rational, int] = {0: 0, Fraction(1, 3): 30, 1: 45, 3: 60}
 """The acute angle in degrees by the square of its tangent."""
 
 _FLOATS = {"acos": math.acos, "asin": math.asin, "atan": math.atan, "tan": math.tan, "cos": math.cos, "sin": math.sin}
@@ -79,7 +80,7 @@ def _value(expr: Expr) -> float:
     return math.nan
 
 
-def _exact(function: str, arguments: list[Expr]) -> Fraction | None:
+def _exact(function: str, arguments: list[Expr]) -> Rational | None:
     """The angle in degrees if it is a multiple of 30° or 45°, known from exact squares."""
     squares = [_square(argument) for argument in arguments]
     if None in squares:
@@ -88,25 +89,25 @@ def _exact(function: str, arguments: list[Expr]) -> Fraction | None:
         math.copysign(1, constant(argument)) if square else 0
         for argument, square in zip(arguments, squares, strict=True)
     ]
-    first = squares[0] or Fraction(0)
+    first = squares[0] or 0
     if function in ("acos", "asin"):
         acute = _SQUARES_OF_COSINES.get(first)
         if acute is None:
             return None
         turned = acute if signs[0] >= 0 else 180 - acute
-        return Fraction(turned if function == "acos" else 90 - turned)
-    second = (squares[1] or Fraction(0)) if function == "atan2" else Fraction(1)
+        return turned if function == "acos" else 90 - turned
+    second = (squares[1] or 0) if function == "atan2" else 1
     side = signs[1] if function == "atan2" else 1
     if second == 0:
-        return Fraction(90 * int(signs[0])) if first else Fraction(0)
-    acute = _SQUARES_OF_TANGENTS.get(first / second)
+        return 90 * int(signs[0]) if first else 0
+    acute = _SQUARES_OF_TANGENTS.get(Fraction(first, second))
     if acute is None:
         return None
     turned = acute if side > 0 else 180 - acute
-    return Fraction(turned if signs[0] >= 0 else -turned)
+    return turned if signs[0] >= 0 else -turned
 
 
-def _square(expr: Expr) -> Fraction | None:
+def _square(expr: Expr) -> Rational | None:
     """The square of a constant, if it is rational."""
     try:
         squared = multiply(expr, expr) if not isinstance(expr, Power) else power(expr.base, expr.exponent * 2)

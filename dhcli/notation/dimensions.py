@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from dhcli.notation.angle import Rational
 from dhcli.notation.tree import Call, Constant, Expr, Number, Power, Product, Sum, Symbol, Trig, Unit
 from dhcli.notation.walk import rebuild, walk
 
@@ -41,8 +42,8 @@ def unit_meant(word: str) -> str:
 INVERSE = frozenset(("acos", "asin", "atan", "atan2"))
 """Functions whose value is an angle."""
 
-_NUMBER = Fraction(0)
-_LENGTH = Fraction(1)
+_NUMBER: Rational = 0
+_LENGTH: Rational = 1
 
 
 class DimensionError(ValueError):
@@ -55,7 +56,7 @@ class DimensionError(ValueError):
         self.hint = hint
 
 
-def dimension(expr: Expr) -> Fraction | None:
+def dimension(expr: Expr) -> Rational | None:
     """The power of a length that an expression is: 1 for a length, 0 for a number, None where names leave it open.
 
     Raises:
@@ -80,7 +81,7 @@ def dimension(expr: Expr) -> Fraction | None:
     return _of_call(expr)
 
 
-def check_is(expr: Expr, wanted: Fraction) -> None:
+def check_is(expr: Expr, wanted: Rational) -> None:
     """Make sure that an expression in which units stand is what is wanted.
 
     Raises:
@@ -91,7 +92,8 @@ def check_is(expr: Expr, wanted: Fraction) -> None:
         return
     if wanted == _NUMBER:
         raise DimensionError(f"this is {_called(found)}, a number is wanted", "leave the unit out")
-    hint = {Fraction(1): "write 0.4 m or 400 mm", Fraction(2): "write 0.4 m^2"}.get(wanted, "write 0.4 m^3")
+    hints: dict[Rational, str] = {1: "write 0.4 m or 400 mm", 2: "write 0.4 m^2"}
+    hint = hints.get(wanted, "write 0.4 m^3")
     if found == _NUMBER:
         raise DimensionError(f"the units cancel, and {_called(wanted)} is wanted", hint)
     raise DimensionError(f"this is {_called(found)}, {_called(wanted)} is wanted", hint)
@@ -134,7 +136,7 @@ def _metres(node: Expr) -> Expr:
     return Number(factor, places)
 
 
-def _common(terms: list[tuple[Expr, Fraction | None]]) -> Fraction | None:
+def _common(terms: list[tuple[Expr, Rational | None]]) -> Rational | None:
     """The dimension that all terms of a sum have."""
     known = [(term, part) for term, part in terms if part is not None]
     if not known:
@@ -149,7 +151,7 @@ def _common(terms: list[tuple[Expr, Fraction | None]]) -> Fraction | None:
     return known[0][1]
 
 
-def _of_call(expr: Call) -> Fraction | None:
+def _of_call(expr: Call) -> Rational | None:
     parts = [dimension(argument) for argument in expr.arguments]
     if expr.function == "atan2":
         _common(list(zip(expr.arguments, parts, strict=True)))
@@ -158,6 +160,6 @@ def _of_call(expr: Call) -> Fraction | None:
     return _NUMBER
 
 
-def _called(power: Fraction | None) -> str:
-    names = {Fraction(0): "a number", Fraction(1): "a length", Fraction(2): "an area", Fraction(3): "a volume"}
-    return names.get(power or Fraction(0), f"a length to the power {power}")
+def _called(power: Rational | None) -> str:
+    names: dict[Rational, str] = {0: "a number", 1: "a length", 2: "an area", 3: "a volume"}
+    return names.get(power or 0, f"a length to the power {power}")

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import ParamSpec
 
+from dhcli.notation.angle import magnitude
 from dhcli.notation.brackets import OPENING
 from dhcli.notation.cursor import Cursor
 from dhcli.notation.quantity import UNITS
@@ -169,7 +170,8 @@ class Operators(Cursor, ABC):
                 token,
             )
         places = len(mantissa.partition(".")[2]) - int(exponent or 0)
-        return Number(Fraction(token.text), places if places > 0 else None)
+        value = int(token.text) if token.text.isdecimal() else Fraction(token.text)
+        return Number(value, places if places > 0 else None)
 
     def _power(self, base: Expr, token: Token) -> Expr:
         if self.at("°"):  # LaTeX writes 90^\circ
@@ -191,7 +193,7 @@ class Operators(Cursor, ABC):
     def _raised(self, base: Expr, exponent: Expr, token: Token) -> Expr:
         if not isinstance(exponent, Number):
             raise self.error("an exponent must be a number", "", token)
-        if abs(exponent.value) > LARGEST_EXPONENT or exponent.value.denominator > LARGEST_EXPONENT:
+        if magnitude(exponent.value) > LARGEST_EXPONENT or exponent.value.denominator > LARGEST_EXPONENT:
             raise self.error(f"an exponent beyond {LARGEST_EXPONENT} is not read", "", token)
         return self._build(token, power, base, exponent.value)
 

@@ -6,10 +6,9 @@ Inside dhcli lengths are metres and constant angles exact degrees or radians; un
 from __future__ import annotations
 
 import math
-from fractions import Fraction
 from typing import Literal
 
-from dhcli.notation.angle import ONCE, ZERO, Angle
+from dhcli.notation.angle import ONCE, ZERO, Angle, Rational, magnitude
 from dhcli.notation.dimensions import (
     ANGLE_UNITS,
     INVERSE,
@@ -102,7 +101,7 @@ def to_length(expr: Expr, power: int = 1) -> Expr:
         return expr
     measured = False
     for node in walk(expr):
-        if type(node) is Number and abs(node.value) > LARGEST:
+        if type(node) is Number and magnitude(node.value) > LARGEST:
             raise DimensionError(f"a length or number beyond {LARGEST:,} is not read", "is the unit right?")
         if type(node) is Call or (type(node) is Power and node.exponent.denominator != 1):
             _check_real(node)
@@ -112,7 +111,7 @@ def to_length(expr: Expr, power: int = 1) -> Expr:
                 raise DimensionError(f"{node.name} is a unit of angle, a length is wanted", "write 0.4 m or 400 mm")
     if not measured:
         return expr
-    check_is(expr, Fraction(power))
+    check_is(expr, power)
     return in_metres(expr)
 
 
@@ -194,7 +193,8 @@ def _angle(expr: Expr, bare: Bare) -> Angle:
     if isinstance(expr, Sum):
         return sum((_angle(term, bare) for term in expr.terms), Angle())
     factors = expr.factors if isinstance(expr, Product) else (expr,)
-    scale, name, unit = ONCE, "", ""
+    scale: Rational = ONCE
+    name = unit = ""
     others: list[Expr] = []
     for factor in factors:
         match factor:
@@ -245,7 +245,7 @@ def _check_real(node: Call | Power) -> None:
         raise DimensionError(f"{write(node)} is not a real number", "write a number, 0.4 m or 400 mm")
 
 
-def _constant(scale: Fraction, unit: str, bare: Bare) -> Angle:
+def _constant(scale: Rational, unit: str, bare: Bare) -> Angle:
     if unit == "pi":
         return Angle(degrees=scale * 180)
     if unit == "bare":

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from operator import is_
 
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational
 from dhcli.notation.dimensions import RADIANS
 from dhcli.notation.tree import Expr, Number, Product, Sum, Unit, add, multiply, places_of
 
@@ -39,7 +39,7 @@ def remark_on(text: str, by: float) -> str:
     return Slight(text) if by < SEEN else text
 
 
-def right_angle_of(value: Fraction, places: int | None) -> int | None:
+def right_angle_of(value: Rational, places: int | None) -> int | None:
     """The multiple of 90° that a decimal number of radians is to its digits; None if it is none.
 
     Args:
@@ -72,7 +72,7 @@ def with_right_angles(expr: Expr, remarks: list[str]) -> Expr:
             if degrees is not None:
                 text = f"{Number(value, places)} rad is taken as {degrees}°, which it is to its digits"
                 remarks.append(remark_on(text, float(abs(value - degrees // 90 * _QUARTER))))
-                return multiply(Number(Fraction(degrees)), Unit("deg"))
+                return multiply(Number(degrees), Unit("deg"))
     return expr
 
 

@@ -17,7 +17,7 @@ from operator import itemgetter
 from typing import Literal
 
 from dhcli.frozen import frozen
-from dhcli.notation.angle import ONCE, Angle, Hashed
+from dhcli.notation.angle import ONCE, Angle, Hashed, Rational
 from dhcli.notation.names import natural_key
 from dhcli.notation.roots import square_root
 
@@ -80,7 +80,7 @@ class Number(Expr):
         places: Decimal places to show it with; None shows a fraction.
     """
 
-    value: Fraction
+    value: Rational
     places: int | None = field(default=None, compare=False)
 
     def __hash__(self) -> int:
@@ -163,7 +163,7 @@ class Power(Expr):
     """A base to a rational exponent that is not 1; square roots are powers of one half."""
 
     base: Expr
-    exponent: Fraction
+    exponent: Rational
 
     def __hash__(self) -> int:
         """See `Number`."""
@@ -178,23 +178,23 @@ class Call(Expr):
     arguments: tuple[Expr, ...]
 
 
-ZERO = Number(Fraction(0))
-ONE = Number(Fraction(1))
-MINUS_ONE = Number(Fraction(-1))
+ZERO = Number(0)
+ONE = Number(1)
+MINUS_ONE = Number(-1)
 PI = Constant()
 
 
-def number(value: int | Fraction, places: int | None = None) -> Number:
+def number(value: Rational, places: int | None = None) -> Number:
     """An exact number, shown with the given decimal places or as a fraction."""
-    return Number(Fraction(value), places)
+    return Number(value, places)
 
 
-def decimal(value: Fraction) -> Number:
+def decimal(value: Rational) -> Number:
     """An exact number, shown with as many decimals as say it: 0.05; as a fraction where none do."""
     return Number(value, places_of(value))
 
 
-def places_of(value: Fraction, most: int | None = None) -> int | None:
+def places_of(value: Rational, most: int | None = None) -> int | None:
     """How many decimals say a fraction exactly; None where none do, or more than the most."""
     twos = fives = 0
     rest = value.denominator
@@ -261,8 +261,8 @@ def multiply(*factors: Expr) -> Expr:
     if plain is not None:
         return plain
     number_part = ONE
-    radicand = ONCE
-    powers: dict[Expr, Fraction] = {}
+    radicand: Rational = ONCE
+    powers: dict[Expr, Rational] = {}
     for factor in _flat(factors, Product):
         if type(factor) is Number:
             if not factor.value:
@@ -282,7 +282,7 @@ def multiply(*factors: Expr) -> Expr:
         outside, root = square_root(radicand)
         number_part = _multiply_numbers(number_part, Number(outside))
         if root != 1:
-            powers[Power(Number(Fraction(root)), HALF)] = Fraction(1)
+            powers[Power(Number(root), HALF)] = ONCE
     kept = [
         base if exponent is ONCE or exponent == 1 else Power(base, exponent)
         for base, exponent in powers.items()
@@ -321,14 +321,13 @@ def _plain_product(factors: tuple[Expr, ...]) -> Expr | None:
     return Product((MINUS_ONE, *in_order) if minus else tuple(in_order))
 
 
-def power(base: Expr, exponent: Fraction | int) -> Expr:
+def power(base: Expr, exponent: Rational) -> Expr:
     """A power; exact where the base is a number and the exponent whole or one half.
 
     Raises:
         ZeroDivisionError: Zero to a negative exponent.
         OverflowError: The result has more than 1000 bits.
     """
-    exponent = Fraction(exponent)
     if exponent == 1:
         return base
     if exponent == 0 and type(base) is not Unit:  # units that cancel stay, so that a ratio is known for one
@@ -367,7 +366,7 @@ def _trig_key(factor: Trig) -> tuple[int, tuple[object, ...], bool]:
 
 
 def _lift(value: Expr | int) -> Expr:
-    return Number(Fraction(value)) if isinstance(value, int) else value
+    return Number(value) if isinstance(value, int) else value
 
 
 def _flat(nodes: Iterable[Expr], kind: type[Sum | Product]) -> Iterator[Expr]:
@@ -412,20 +411,20 @@ def _multiply_numbers(first: Number, second: Number) -> Number:
     return product
 
 
-def _power_of_number(base: Number, exponent: Fraction) -> Expr:
+def _power_of_number(base: Number, exponent: Rational) -> Expr:
     if exponent.denominator == 1:
         size = max(base.value.numerator.bit_length(), base.value.denominator.bit_length())
         if size * abs(exponent.numerator) > MOST_BITS:
             raise OverflowError
-        value = base.value**exponent.numerator
+        value = Fraction(base.value) ** exponent.numerator
         return Number(value, places_of(value, MOST_PLACES) if base.places else None)
     if exponent.denominator == 2 and base.value >= 0:  # noqa: PLR2004  a square root
         outside, root = square_root(base.value)
         whole = power(Number(base.value), (exponent - HALF).numerator)
-        return multiply(Number(outside), whole, Power(Number(Fraction(root)), HALF) if root != 1 else ONE)
+        return multiply(Number(outside), whole, Power(Number(root), HALF) if root != 1 else ONE)
     return Power(Number(base.value), exponent)
 
 
-def _check_size(value: Fraction) -> None:
+def _check_size(value: Rational) -> None:
     if value.numerator.bit_length() > MOST_BITS or value.denominator.bit_length() > MOST_BITS:
         raise OverflowError

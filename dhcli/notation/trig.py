@@ -6,10 +6,10 @@ cosine or sine starts with a plus.
 
 from __future__ import annotations
 
-from fractions import Fraction
+from collections.abc import Mapping
 from typing import Literal
 
-from dhcli.notation.angle import FULL_TURN, Angle
+from dhcli.notation.angle import FULL_TURN, Angle, Rational
 from dhcli.notation.tree import HALF, ZERO, Expr, Number, Trig, multiply, negate, power
 
 
@@ -41,10 +41,10 @@ def _reduce(angle: Angle) -> tuple[int, Angle]:
     degrees = angle.degrees % FULL_TURN
     if not angle.terms and not angle.radians:
         return int(degrees // 90), Angle(degrees=degrees % 90)
-    return 0, Angle(angle.terms, degrees if degrees <= FULL_TURN / 2 else degrees - FULL_TURN, angle.radians)
+    return 0, Angle(angle.terms, degrees if degrees <= FULL_TURN // 2 else degrees - FULL_TURN, angle.radians)
 
 
-_ROOT_HALVES = {0: (Fraction(1), 1), 30: (HALF, 3), 45: (HALF, 2), 60: (HALF, 1)}
+_ROOT_HALVES: Mapping[int, tuple[Rational, int]] = {0: (1, 1), 30: (HALF, 3), 45: (HALF, 2), 60: (HALF, 1)}
 """Cosines of 0°, 30°, 45° and 60° as a rational times a square root."""
 
 
@@ -66,10 +66,10 @@ def _minus_sin_of(rest: Angle) -> Expr:
     return negate(_sin_of(rest))
 
 
-def _trig(function: Literal["cos", "sin"], rest: Angle, exact: tuple[Fraction, int] | None) -> Expr:
+def _trig(function: Literal["cos", "sin"], rest: Angle, exact: tuple[Rational, int] | None) -> Expr:
     if not rest.terms and not rest.radians and exact is not None:
         value, root = exact
-        return multiply(Number(value), power(Number(Fraction(root)), HALF))
+        return multiply(Number(value), power(Number(root), HALF))
     leading = rest.terms[0][1] if rest.terms else rest.radians or rest.degrees
     if leading >= 0:
         return Trig(function, rest)

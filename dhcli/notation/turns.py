@@ -139,7 +139,7 @@ def in_order(word: str, angles: Sequence[Angle]) -> tuple[Part, ...]:
 def _rational(expr: Expr, what: str) -> Fraction:
     """A plain number; a root as the nearest float."""
     if isinstance(expr, Number):
-        return expr.value
+        return Fraction(expr.value)
     try:
         return Fraction(repr(_float(expr)))
     except (TypeError, ValueError, OverflowError):

@@ -11,10 +11,11 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from dhcli.errors import NotationError
-from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle
+from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle, Rational, magnitude
 from dhcli.notation.styles import STYLES, THETAS, Joints, Style
 from dhcli.notation.tree import (
     HALF,
+    ONE,
     Call,
     Constant,
     Expr,
@@ -65,7 +66,7 @@ def write_value(value: Angle | Expr, style: str = "short", joints: Joints = THET
     return write_angle(value, style, joints) if isinstance(value, Angle) else write(value, style, joints)
 
 
-def write_number(value: Fraction, places: int | None = None) -> str:
+def write_number(value: Rational, places: int | None = None) -> str:
     """Write an exact number: with decimals if it has that many places, else as a fraction.
 
     Raises:
@@ -76,7 +77,7 @@ def write_number(value: Fraction, places: int | None = None) -> str:
     if value.denominator == 1:
         return str(value.numerator)
     if places is not None:
-        scaled = abs(value) * 10**places
+        scaled = magnitude(value) * 10**places
         if scaled.denominator == 1:
             digits = str(scaled.numerator).rjust(places + 1, "0")
             return ("-" if value < 0 else "") + f"{digits[:-places]}.{digits[-places:]}".rstrip("0").rstrip(".")
@@ -122,13 +123,13 @@ class _Writer:
                 return f"{name}({', '.join(self.expression(argument) for argument in arguments)})", ATOM
         raise TypeError(expr)
 
-    def plain(self, value: Fraction, places: int | None = None) -> str:
+    def plain(self, value: Rational, places: int | None = None) -> str:
         """A number; for programs a decimal, unless it is a fraction of small numbers."""
         if self.style.decimal and max(abs(value.numerator), value.denominator) > LARGEST_IN_FRACTION:
             return repr(float(value))
         return write_number(value, places)
 
-    def number(self, value: Fraction, places: int | None) -> tuple[str, int]:
+    def number(self, value: Rational, places: int | None) -> tuple[str, int]:
         text = self.plain(value, places)
         if self.style.decimal and "/" in text:
             text = repr(float(value))  # 1/2 is 0 in C
@@ -148,7 +149,7 @@ class _Writer:
     def product(self, expr: Product) -> tuple[str, int]:
         number, rest = split(expr)
         sign = "-" if number.value < 0 else ""
-        above, below = self.fraction(abs(number.value), number.places, self.in_order(rest))
+        above, below = self.fraction(magnitude(number.value), number.places, self.in_order(rest))
         top = self.style.times.join(above) or "1"
         if not below:
             return sign + top, PRODUCT
@@ -165,7 +166,7 @@ class _Writer:
         alone = len(texts) == 1 and list(texts) == [self.bracketed(one, PRODUCT) for one in sums]
         return self.expression(sums[0]) if alone else self.style.times.join(texts) or "1"
 
-    def fraction(self, value: Fraction, places: int | None, factors: list[Expr]) -> tuple[list[str], list[str]]:
+    def fraction(self, value: Rational, places: int | None, factors: list[Expr]) -> tuple[list[str], list[str]]:
         """What stands above and below the fraction bar."""
         above: list[str] = []
         below: list[str] = []
@@ -198,18 +199,18 @@ class _Writer:
     def trig_key(self, factor: Expr) -> list[tuple[int, object]]:
         return sorted(self.joints.place(name) for name in _angle_of(factor).names)
 
-    def power(self, base: Expr, exponent: Fraction) -> tuple[str, int]:
+    def power(self, base: Expr, exponent: Rational) -> tuple[str, int]:
         if exponent == HALF:
             return self.style.prefix + self.style.root.format(self.expression(base)), ATOM
         if exponent < 0 and exponent.denominator == 1:
-            return self.product(Product((Number(Fraction(1)), Power(base, exponent))))
+            return self.product(Product((ONE, Power(base, exponent))))
         if self.style.power:
             return self.in_power(base, exponent)
         text = write_number(exponent)
         text = f"{{{text}}}" if self.style.latex else f"({text})" if "/" in text or exponent < 0 else text
         return f"{self.bracketed(base, ATOM)}{self.style.caret}{text}", ATOM
 
-    def in_power(self, base: Expr, exponent: Fraction) -> tuple[str, int]:
+    def in_power(self, base: Expr, exponent: Rational) -> tuple[str, int]:
         """A power in a language that has no sign for it: squares as products."""
         if exponent == SQUARE and type(base) is Symbol:
             return self.style.times.join([self.style.symbol(base.name)] * SQUARE), PRODUCT
@@ -238,7 +239,7 @@ class _Writer:
         if angle.degrees:
             pieces.append(self.degrees(angle.degrees))
         if angle.radians:
-            must = spaced or abs(angle.radians) > FULL_TURN_IN_RADIANS  # 90 would be a question
+            must = spaced or magnitude(angle.radians) > FULL_TURN_IN_RADIANS  # 90 would be a question
             unit = " rad" if must and self.style.degrees is not None and not self.style.latex else ""
             radians = repr(float(angle.radians)) if self.style.decimal else write_number(angle.radians, RADIAN_PLACES)
             pieces.append(radians + unit)
@@ -248,18 +249,18 @@ class _Writer:
         rest = [minus + piece[1:] if piece.startswith("-") else plus + piece for piece in pieces[1:]]
         return pieces[0] + "".join(rest)
 
-    def scaled(self, factor: Fraction, text: str, *, decimals: bool = False) -> str:
+    def scaled(self, factor: Rational, text: str, *, decimals: bool = False) -> str:
         sign = "-" if factor < 0 else ""
         decimals = decimals and factor.denominator > LARGEST_BELOW and abs(factor.numerator) != 1
         places = places_of(factor) if decimals else None
-        above, _, below = write_number(abs(factor), places).partition("/")
+        above, _, below = write_number(magnitude(factor), places).partition("/")
         upper = "" if above == "1" else f"{above}{self.style.times}"
         lower = f"/{below}" if below else ""
         return f"{sign}{upper}{text}{lower}"
 
-    def degrees(self, degrees: Fraction) -> str:
+    def degrees(self, degrees: Rational) -> str:
         if self.style.degrees is None:
-            return self.scaled(degrees / 180, self.style.pi)
+            return self.scaled(Fraction(degrees, 180), self.style.pi)
         text = write_number(degrees, 6)
         return self.style.degrees.format(f"({text})" if "/" in text else text)
 

@@ -12,7 +12,7 @@ from dhcli.geometry.vectors import ORIGIN, Vector, length, minus, plus, scaled
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, expressions
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, magnitude
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.walk import symbols, symbols_in
 from dhcli.notation.writer import write, write_angle
@@ -197,4 +197,4 @@ def _stretches(state: int, lengths: list[Expr], floats: Floats, robot: Robot) ->
 
 def _positive(expr: Expr) -> Expr:
     """A number without its sign: a dimension is as long as it is."""
-    return Number(abs(expr.value), expr.places) if isinstance(expr, Number) else expr
+    return Number(magnitude(expr.value), expr.places) if isinstance(expr, Number) else expr

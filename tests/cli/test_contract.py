@@ -333,6 +333,12 @@ def test_help_names_the_formats_there_are(dhcli: Run, words: str, formats: str, 
         ("sweep ./no-such.yaml --over th", []),
         ("fk scara --as rpy,p", ["rpy,position"]),
         ("list --format c", ["csv"]),
+        ("describe scara --as mo", ["modified", "motors"]),
+        ("describe scara --choose n", ["next-d"]),
+        ("schema e", ["exercise"]),
+        ("start yim/planar-l", ["yim/planar-linkages"]),
+        ("dof benn", ["bennett"]),
+        ("help judg", ["judging"]),
     ],
 )
 def test_the_shell_completes_what_a_robot_has(dhcli: Run, words: str, found: list[str]) -> None:

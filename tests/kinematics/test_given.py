@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -45,9 +46,10 @@ links:
 """
 
 
-@pytest.mark.parametrize(
-    "tool", ["Trans(0, 0, 250 mm)", [Trans(ZERO, ZERO, number("1/4"))], Trans(ZERO, ZERO, number("1/4"))]
-)
+LONG = Trans(ZERO, ZERO, number(Fraction(1, 4)))
+
+
+@pytest.mark.parametrize("tool", ["Trans(0, 0, 250 mm)", [LONG], LONG])
 def test_a_tool_is_moves_or_a_text_that_spells_them(tool: Any) -> None:  # noqa: ANN401
     """It is never left out in silence."""
     with_tool = forward(replace(SCARA, tool=tool), Q, end="tool").position

@@ -13,7 +13,7 @@ from dhcli.checking.other_unit import refuse_right_in
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving import covering
-from dhcli.checking.solving.covering import Asked
+from dhcli.checking.solving.covering import Asked, Outcome
 from dhcli.checking.solving.derived import (
     derivation_of,
     moving_joints,
@@ -163,19 +163,26 @@ class JointFormulaQuestion(Question[Formula]):
     def _more_slips(self, case: Case, formula: Formula) -> tuple[Slip, ...]:
         """A slip in the functions or the terms of a formula, of which there are too many to have them all ready."""
         from dhcli.checking.solving.formula_slips import slips_in_terms
-        from dhcli.checking.solving.mended import mended_functions, mended_terms
+        from dhcli.checking.solving.mended import mended_functions, mended_terms, mended_zero
 
         derivation, cases = self._derivation(case), self._cases(case)
         robot = derivation.robot
 
+        def outcomes(other: Formula) -> Iterator[Outcome]:
+            """At a few solutions first, at which most are seen to be wrong."""
+            return (covering.tried(other, those, self._asked, robot) for those in (cases[:FIRST], cases))
+
         def is_right(other: Formula) -> bool:
-            some = (cases[:FIRST], cases)  # most are seen to be wrong at the first of them
-            return all(covering.tried(other, tuple(those), self._asked, robot).is_right for those in some)
+            return all(outcome.is_right for outcome in outcomes(other))
+
+        def is_sound(other: Formula) -> bool:
+            return all(outcome.is_sound for outcome in outcomes(other))
 
         return (
             mended_functions(formula, self._name, is_right)
             or slips_in_terms(formula, formula_of(derivation, self.joints), robot, self._asked, cases)
             or mended_terms(formula, self._name, robot.writing, is_right)
+            or (mended_zero(formula, self._name, is_sound) if self.turns else ())
         )
 
     # --- Its parts -------------------------------------------------------------------------------------------------
@@ -186,7 +193,7 @@ class JointFormulaQuestion(Question[Formula]):
 
     @property
     def _sum_name(self) -> str:
-        return name_of(tuple((name, 1) for name in self.joints))  # type: ignore[misc]
+        return name_of(tuple((name, 1) for name in self.joints))
 
     @property
     def _entries(self) -> tuple[str, ...]:

@@ -240,21 +240,14 @@ class MatrixQuestion(Wanted, Question[Entries]):
         if is_trivial(values) or has_name(mark):
             return not is_trivial(values)
         is_from_here = not case.exercise.numeric or mark.earned >= HALF
-        return is_from_here and (self.piece != "pose" or is_motion(values))
+        return is_from_here and (not self.is_factor or is_motion(values))
 
     def leads(
         self, case: Case, reading: Reading[Entries], span: tuple[int, int], _points: Points
     ) -> tuple[int, int, Matrices] | None:
-        from dhcli.checking.diagnosis.typed import typed_answer
-        from dhcli.kinematics.frames import span_of
+        from dhcli.checking.diagnosis.following import leads_from
 
-        robot = case.exercise.robot
-        if robot is None or not isinstance(self.source, View) or self.piece != "pose" or self.inverse:
-            return None
-        start, end = span_of(robot, self.source)
-        typed = typed_answer(case, self, reading.value)
-        is_forward = span[0] <= start < min(end, span[1])
-        return (start, end, typed.values) if typed is not None and is_forward else None
+        return leads_from(case, self, reading.value, span)
 
     def overlaid(self, case: Case, reading: Reading[Entries], values: Values) -> Overlaid | None:
         from dhcli.checking.overlaid import overlaid_matrix

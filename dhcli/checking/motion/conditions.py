@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
-from fractions import Fraction
 from itertools import combinations
 from itertools import product as every
 from typing import TypeAlias
@@ -15,7 +15,7 @@ from dhcli.errors import NotationError, Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.conditions import Put, zeroing
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import Scope
@@ -27,6 +27,9 @@ from dhcli.regex import regex
 
 _BETWEEN = regex(r"(,|;|\n|\bor\b|\u2228|\band\b|&+|∧)")
 _AND = regex(r"and|&+|∧")
+_WHEN = regex(r"\A\s{0,9}(?:when(?:ever)?|if|where|for|at|singular (?:when|if|for|at))\b\s{0,9}", re.IGNORECASE)
+_IS = regex(r"(?<=[\w)])\s{1,9}(?:is|equals)\s{1,9}(?=[-+\d.kn±]|pi|π)")
+"""`when theta2 is 0 or 180 degrees`."""
 _TURNS = regex(r"(?P<first>.*?)[+±]?\s*\b[knm]\s*[*·]?\s*(?:180(?:\s*°|\s*deg)?|pi|π)")
 """`k*180°`, `90° + n*pi`: half turns as often as one likes."""
 _EITHER = regex(
@@ -66,7 +69,7 @@ class Zero:
     """
 
     expr: Expr
-    at: Fraction | None = None
+    at: Rational | None = None
 
 
 Condition: TypeAlias = frozenset[Zero]
@@ -90,7 +93,7 @@ def read_conditions(text: str, exercise: Exercise, place: Place | None, *, joine
         raise UnreadableError(f"an answer of more than {LONGEST} characters is not read")
     if text.strip().lower() in ("never", "nowhere"):
         return ()
-    text = _THAT_IS.sub(", ", _WHOLE.sub("", text))
+    text = _THAT_IS.sub(", ", _WHOLE.sub("", _IS.sub(" = ", _WHEN.sub("", text))))
     text = _ONE_OF.sub(lambda one: f" = {' or '.join(one['values'].split(','))}", text.strip())
     _check_values(text, exercise)
     found: list[Condition] = []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
+from fractions import Fraction
 from itertools import combinations, islice
 
 from dhcli.algebra.floats import Floats
@@ -110,7 +111,7 @@ def _in_whole(step: Step, exprs: Sequence[Expr], letters: Sequence[Symbol], what
     for product in dict.fromkeys(node for expr in exprs for node in walk(expr) if isinstance(node, Product)):
         first, *others = product.factors
         if isinstance(first, Number) and abs(first.value) != 1:
-            written = write(first if first.value.denominator == 1 else number(1 / first.value))
+            written = write(first if first.value.denominator == 1 else number(Fraction(1, first.value)))
             words, hint = f"the factor {written} is missing in {shown}", f"count the factors in {shown}"
             yield Slip(f"number-missing {what} {written}", words, hint), with_other(step, product, multiply(*others))
     words, hint = f"sines and cosines have changed places in {shown}", f"look at sines and cosines in {shown}"

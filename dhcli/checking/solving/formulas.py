@@ -220,6 +220,6 @@ def _plain(expr: Expr, unit: Fraction) -> Expr:
         if node.name in LENGTH_UNITS:
             return Number(LENGTH_UNITS[node.name] / unit)
         radians = node.name in ("rad", "radian", "radians")
-        return number(1) if radians or node.name not in ANGLE_UNITS else multiply(PI, Number(number(1).value / 180))
+        return number(1) if radians or node.name not in ANGLE_UNITS else multiply(PI, Number(Fraction(1, 180)))
 
     return rebuild(expr, leaf)

@@ -24,6 +24,7 @@ from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.same_robot import Match
+from dhcli.notation.angle import magnitude
 from dhcli.notation.tree import ZERO
 from dhcli.notation.walk import decimals
 
@@ -201,7 +202,7 @@ class TableAnswer:
             return
         swapped = tuple(typed.swapped for typed in self.rows)
         angles = [angle for row in swapped for angle in (row.alpha, row.theta)]
-        plausible = all(abs(angle.radians) <= FULL_TURN for angle in angles)
+        plausible = all(magnitude(angle.radians) <= FULL_TURN for angle in angles)
         if swapped != self.plain and plausible and self.is_right(swapped):
             here, there = ("degrees", RADIANS) if any(angle.radians for angle in angles) else (RADIANS, "degrees")
             wanted = f"the angles of this sheet are in {here}: write -90° or -pi/2"

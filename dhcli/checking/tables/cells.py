@@ -17,10 +17,10 @@ from dhcli.checking.verdicts import CellMark, Verdict
 from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.values import numbers
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, magnitude
 from dhcli.notation.matrix import bracketed
 from dhcli.notation.styles import Joints
-from dhcli.notation.tree import Number
+from dhcli.notation.tree import ZERO
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write_value
 
@@ -100,7 +100,7 @@ def _mark(  # noqa: PLR0913, PLR0917  everything a cell is judged by
         if other != value and _judged(other, right, exercise, tolerance, size) is Verdict.RIGHT:
             unit = "radians" if other.radians else "degrees"
             note = f"{typed.cells[column].text} would be right in {unit}: write the unit"
-    counted = right != Angle() and right != Number(Fraction(0))
+    counted = right != Angle() and right != ZERO
     shown = spelled(right if isinstance(right, Angle) else exercise.on_sheet(right), exercise.writing)
     return CellMark(*place, verdict, typed.cells[column].text, shown, note, counted)
 
@@ -131,7 +131,7 @@ def _settled(angle: Angle, tolerance: Tolerance) -> Angle:
     if not angle.radians and angle.degrees.denominator == 1 and angle.degrees.numerator % STEP == 0:
         return angle
     degrees = angle.degrees + Fraction(math.degrees(angle.radians)) if angle.radians else angle.degrees
-    meant = STEP * round(degrees / STEP)
-    if not abs(degrees - meant) <= tolerance.angle:
+    meant = STEP * round(Fraction(degrees, STEP))
+    if not magnitude(degrees - meant) <= tolerance.angle:
         return angle
-    return Angle(angle.terms, Fraction(meant))
+    return Angle(angle.terms, meant)

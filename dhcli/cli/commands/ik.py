@@ -7,9 +7,9 @@ from typing import Annotated, TypeAlias
 
 import typer
 
+from dhcli.cli.shell import completing
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.many import ManyPoses
-from dhcli.cli.shell.options import complete_pose
 from dhcli.cli.shell.spreading import But
 from dhcli.cli.shell.wishes import POSE, Goal, Which
 from dhcli.cli.shell.written import Written, in_formats
@@ -47,7 +47,7 @@ StandingPose: TypeAlias = Annotated[
         metavar="NAME",
         help="Where a named pose of the robot stands.",
         rich_help_panel=POSE,
-        autocompletion=complete_pose,
+        autocompletion=completing.of_robot("poses"),
     ),
 ]
 

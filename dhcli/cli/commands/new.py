@@ -109,9 +109,10 @@ def _imported(path: str, wish: Wish) -> str:
     from dhcli.files.reading import read_text, source_of
     from dhcli.files.yaml.robots import XML_LIMIT
     from dhcli.files.yaml.writing import robot_text
+    from dhcli.lint.lengths import told_once
 
     robot = import_robot(read_text(path, limit=XML_LIMIT), source_of(path), wish)
-    for remark in robot.remarks:
+    for remark in (*robot.remarks, *told_once(robot, "" if wish.units else "--units mm takes bare lengths as such")):
         tell(f"note: {remark}")
     if lacking := [name for name, value in robot.parameters.items() if value is None]:
         tell(f"note: {', '.join(lacking)} {'has' if len(lacking) == 1 else 'have'} no value yet, see parameters:")

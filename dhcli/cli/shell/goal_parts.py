@@ -11,7 +11,7 @@ from dhcli.cli.shell.typed_digits import Rows, slack_of
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, plural
 from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw, euler
 from dhcli.geometry.rotations import Quaternion
-from dhcli.geometry.vectors import facing
+from dhcli.geometry.vectors import ORIGIN, UNITS, facing
 from dhcli.kinematics.derived import in_floats
 from dhcli.notation.brackets import split
 from dhcli.notation.parser import parse
@@ -45,8 +45,8 @@ def from_parts(parts: Mapping[str, str], bare: Bare) -> tuple[Rows, float]:
 def _rows(parts: Mapping[str, str], bare: Bare) -> Rows:
     if len(parts.keys() - {"position"}) > 1:
         raise DhcliError("the orientation is given in two ways", "one of --rpy, --quaternion, --euler or --pointing")
-    place = _vector(parts["position"], "--position") if "position" in parts else (0.0, 0.0, 0.0)
-    turn: Rotation[float] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    place = _vector(parts["position"], "--position") if "position" in parts else ORIGIN
+    turn: Rotation[float] = UNITS
     if "rpy" in parts:
         turn = RollPitchYaw(*_angles(parts["rpy"], "--rpy", bare)).rotation()
     elif "quaternion" in parts:

@@ -54,7 +54,7 @@ def import_robot(text: str, source: str, wish: Wish) -> Robot:
     """
     convention = _convention(wish.convention)
     if wish.units and wish.units not in LENGTH_UNITS:
-        hint = did_you_mean(wish.units, LENGTH_UNITS) or f"known: {', '.join(LENGTH_UNITS)}"
+        hint = did_you_mean(wish.units, LENGTH_UNITS)
         raise UnknownNameError(f"{wish.units} is no unit of length", hint)
     form = form_of(text)
     if form not in (Form.URDF, Form.XACRO) and (wish.base or wish.tip):

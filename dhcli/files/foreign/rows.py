@@ -24,6 +24,8 @@ from dhcli.regex import regex
 
 _WORD = regex(r"(?<!\w)\\?[^\W\d](?:_\{[^{}]{1,20}\}|\w)*")
 _STAR = regex(r"(?<=[\w})])[ ]?\^?\*(?=[ ]*(?:$|[-+−]))")  # noqa: RUF001  a minus sign
+_ALONE = frozenset(("*", "var", "var.", "variable"))
+"""Cells that say only that they are the variable of their row."""
 _NO_NAMES = RESERVED | UNITS | {"π"}
 
 
@@ -151,6 +153,9 @@ class Reader:
 
     def row(self, row: RowText, number: int, kind: str) -> Row:
         """One row; its variable is noted."""
+        for column, letter in (("theta", "R"), ("d", "P")):
+            if (cell := row.cells.get(column)) is not None and cell.text.strip().lower() in _ALONE:
+                row.cells[column], kind = replace(cell, text="0"), kind or letter
         starred = {column for column, cell in row.cells.items() if _STAR.search(cell.text)}
         a, d, offset = (row.cells.get(column) for column in ("a", "d", "offset"))
         found = Row(self.length(a, "a"), self.angle(row.cells.get("alpha"), "alpha"), self.length(d, "d"), Angle())

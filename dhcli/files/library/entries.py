@@ -20,7 +20,7 @@ from dhcli.frozen import frozen
 BUILT_IN = "built-in"
 YAML = (".yaml", ".yml")
 """What the name of a file of the library ends in."""
-_OWN_FOLDERS = ("robots", "exercises")
+FOLDERS = ("robots", "exercises")
 """What makes an entry of `$DHCLI_PATH` a root."""
 _PACKAGE = Path(__file__).parents[2]
 _path = lru_cache(1024)(Path)
@@ -123,7 +123,7 @@ def _user_folders(kind: Kind) -> Iterator[tuple[str, str]]:
     for written in filter(None, os.environ.get("DHCLI_PATH", "").split(os.pathsep)):
         root = os.path.expanduser(written)
         below = kind.folder
-        if kind is not Kind.EXERCISES and not any(os.path.isdir(os.path.join(root, own)) for own in _OWN_FOLDERS):
+        if kind is not Kind.EXERCISES and not any(os.path.isdir(os.path.join(root, own)) for own in FOLDERS):
             below = below.removeprefix("robots").removeprefix("/")
         yield os.path.join(root, below), os.path.join(written, below)
     data_home = os.environ.get("XDG_DATA_HOME", "")

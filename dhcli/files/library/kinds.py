@@ -9,10 +9,11 @@ from dhcli.files.library.entries import YAML, Kind, entries, full_id, holds
 from dhcli.files.reading import read_text
 
 _SIGNS = {
+    **dict.fromkeys(("convention:", "variables:"), Kind.ROBOTS),
     **dict.fromkeys(("parts:", "task:", "tests:", "numeric:"), Kind.EXERCISES),
     **dict.fromkeys(("joints:", "chain:", "bars:", "loop:", "lambda:", "space:"), Kind.LINKAGES),
 }
-"""Keys at the left of a file that tell what it is; a robot has none of them."""
+"""Keys at the left of a file that tell what it is, the first of them."""
 
 
 def kind_of(name: str) -> Kind:

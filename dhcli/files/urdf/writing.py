@@ -17,6 +17,7 @@ from dhcli.kinematics.describe.exact import exact_length
 from dhcli.kinematics.describe.linear import Point
 from dhcli.kinematics.forward import with_own_values
 from dhcli.kinematics.robot import Robot
+from dhcli.notation.angle import magnitude
 from dhcli.notation.tree import ONE
 from dhcli.safe import xml_attribute, xml_comment
 
@@ -97,10 +98,10 @@ def _followed(free: Uncoupled, drawing: Drawing) -> Iterator[_Part]:
         name, slope = slopes[line.name]
         along = line if slope > 0 else line.reversed()
         if leading[name] == line.name:
-            yield _Part(name, replace(along, rate=abs(along.rate)))
+            yield _Part(name, replace(along, rate=magnitude(along.rate)))
         else:
             own = leading[name] if line.name == name else line.name  # its leader has the name of the variable
-            yield _Part(own, replace(along, rate=abs(along.rate)), name, abs(slope))
+            yield _Part(own, replace(along, rate=magnitude(along.rate)), name, abs(slope))
 
 
 def _lines(robot: Robot, parts: Sequence[_Part], end: Frame) -> Iterator[str]:

@@ -15,7 +15,7 @@ _KINDS = (
     (("answers",), "an answer sheet", "dhcli check {exercise} {file} judges it"),
     (("parts",), "an exercise", "dhcli start {file} writes a sheet for it"),
     (("frames",), "a list of frames", "dhcli check ROBOT --frames {file} judges it"),
-    (("variables",), "a robot", "dhcli show {file} shows it"),
+    (("variables", "convention"), "a robot", "dhcli show {file} shows it"),
     (("joints", "chain", "bars", "loop", "lambda", "space"), "a linkage", "dhcli dof {file} counts its freedoms"),
 )
 """What tells one kind of file from the others: keys of which no other kind has one, and what it is good for."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from fractions import Fraction
 
 from dhcli.checking.written import Range
 from dhcli.errors import NotationError, RobotError, did_you_mean
@@ -12,11 +11,11 @@ from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.typed import NOTHING, read_value
 from dhcli.kinematics.ranges import read_count, split_range, spread, steps_between, times, total
 from dhcli.kinematics.robot import Value
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import LENGTH_UNITS, value_text
-from dhcli.notation.tree import Constant, Number, Unit
+from dhcli.notation.tree import ZERO, Constant, Number, Unit
 from dhcli.notation.walk import walk
 from dhcli.regex import regex
 
@@ -185,11 +184,11 @@ def _of_list(problems: Problems, node: PlacedSequence, key: str, *, is_angle: bo
     return Range(text, tuple(known)) if known else None
 
 
-def _amount(value: Value) -> Fraction:
+def _amount(value: Value) -> Rational:
     """An angle in degrees or radians, whichever it is in; a length in metres."""
     if isinstance(value, Angle):
         return value.degrees + value.radians
-    return value.value if isinstance(value, Number) else Fraction(0)
+    return value.value if isinstance(value, Number) else 0
 
 
 def _units(piece: PlacedScalar) -> Iterator[str]:
@@ -201,5 +200,5 @@ def _units(piece: PlacedScalar) -> Iterator[str]:
     found = [_SAME.get(node.name, node.name) for node in nodes if isinstance(node, Unit)]
     if any(isinstance(node, Constant) for node in nodes):
         found = ["π", *(unit for unit in found if unit in LENGTH_UNITS)]
-    if found or nodes[:1] != (Number(Fraction(0)),):
+    if found or nodes[:1] != (ZERO,):
         yield from found or [""]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from fractions import Fraction
 from pathlib import Path
 
 from dhcli.errors import DhcliError, RobotError
@@ -17,7 +16,7 @@ from dhcli.kinematics.describe.products import end_of, pitch_of
 from dhcli.kinematics.describe.screws import ScrewAxis
 from dhcli.kinematics.moves import Chain, angle_names, product_text
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational, magnitude
 from dhcli.notation.tree import Number, places_of
 from dhcli.notation.writer import write, write_number
 from dhcli.safe import yaml_scalar
@@ -234,17 +233,17 @@ def _point(point: Point) -> str:
 def _angle(angle: Angle) -> str:
     pieces = []
     for name, factor in angle.terms:
-        size = "" if abs(factor) == 1 else f"{_number(abs(factor))}*"
+        size = "" if abs(factor) == 1 else f"{_number(magnitude(factor))}*"
         pieces.append(("-" if factor < 0 else "+", f"{size}{name}"))
     if angle.degrees:
-        pieces.append(("-" if angle.degrees < 0 else "+", f"{_number(abs(angle.degrees))}°"))
+        pieces.append(("-" if angle.degrees < 0 else "+", f"{_number(magnitude(angle.degrees))}°"))
     if angle.radians:
-        pieces.append(("-" if angle.radians < 0 else "+", f"{_number(abs(angle.radians))} rad"))
+        pieces.append(("-" if angle.radians < 0 else "+", f"{_number(magnitude(angle.radians))} rad"))
     text = "".join(f" {sign} {piece}" for sign, piece in pieces).removeprefix(" + ")
     return ("-" + text.removeprefix(" - ") if text.startswith(" - ") else text) or "0"
 
 
-def _number(value: Fraction) -> str:
+def _number(value: Rational) -> str:
     """A decimal where one says it, else a fraction."""
     return write_number(value, places_of(value))
 

@@ -13,13 +13,13 @@ from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, cross, dot, length, plus, scaled
 from dhcli.kinematics.axes import no_axis
+from dhcli.kinematics.derived import Value
 from dhcli.kinematics.describe.linear import Form, LettersError, Point, Ruler, along, form_of, moved, shifted
 from dhcli.kinematics.moves import PLANES, Chain, Fixed, Move, Rot, Trans, angle_names, names, substituted
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational, magnitude
 from dhcli.notation.tree import ONE, ZERO, Expr, Number
 from dhcli.notation.walk import substitute, symbols, symbols_in
 
-Value: TypeAlias = Angle | Expr
 Placed: TypeAlias = tuple[tuple[Vector, Vector, Vector], Point]
 """The three axes of a frame, and its origin."""
 
@@ -46,7 +46,7 @@ class Line:
     direction: Vector
     through: Point | None
     turns: bool = True
-    rate: Fraction = Fraction(1)
+    rate: Rational = 1
     drawn: Value = ZERO
     pitch: Form = field(default_factory=dict)
 
@@ -120,7 +120,8 @@ def drawing_of(
     slides: dict[str, Point] = {}
     here: Placed = (UNITS, {})
     for move in chain:
-        moving = [name for name in variables if name in names((move,))]
+        held = names((move,))
+        moving = [name for name in variables if name in held]
         known = [line.name for line in lines]
         if len(moving) > 1 or (slides and moving != list(slides)) or any(name in known[:-1] for name in moving):
             raise SharedMovesError(*no_axis(moving[-1]))
@@ -189,7 +190,7 @@ def _line(name: str, move: Move, here: Placed) -> Line:
     if isinstance(move, Rot):
         rate = dict(move.angle.terms)[name]
         axis = axes["xyz".index(move.axis)]
-        return Line(name, scaled(axis, math.copysign(1, rate)), origin, turns=True, rate=abs(rate))
+        return Line(name, scaled(axis, math.copysign(1, rate)), origin, turns=True, rate=magnitude(rate))
     if name in angle_names((move,)):
         raise RobotError(f"{name} does not move one joint about or along one axis")
     slide = _slide(name, move, here)

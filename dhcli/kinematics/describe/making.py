@@ -39,7 +39,7 @@ def from_screws(
     text_of(frame, "frame", "space or body")
     side = next((known for known in sides if known == frame), None)
     if side is None:
-        raise UnknownNameError(f"frame: {frame!r:.60} is not known", did_you_mean(str(frame), sides) or "space or body")
+        raise UnknownNameError(f"frame: {frame!r:.60} is not known", did_you_mean(str(frame), sides))
     rows = [_six(row, i) for i, row in enumerate(tuple_of(screws, "screws", _A_SCREW), 1)]
     letters = ["theta" if any(omega) else "d" for omega, _ in rows]
     named = texts_of(variables, "variables", _SOME_NAMES) or tuple(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from itertools import combinations, permutations
 from typing import TypeAlias
 
@@ -104,10 +103,10 @@ def _sum(known: Knowledge, steps: Sequence[Step]) -> Step | None:
         if len(left) != 1 or abs(left[0][1]) != 1 or len(step.atom) == 1:
             continue
         name, factor = left[0]
-        others = [(multiply(number(-f / factor), Symbol(n))) for n, f in step.atom if n != name]
+        others = [(multiply(number(-f * factor), Symbol(n))) for n, f in step.atom if n != name]
         whole = Symbol(name_of(step.atom))
         total = add(whole, *others) if factor > 0 else add(*others, negate(whole))
-        return Step("SUM", ((name, Fraction(1)),), (), total)
+        return Step("SUM", ((name, 1),), (), total)
     return None
 
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 from typing import Literal, TypeAlias
 
 from dhcli.algebra.equality import equal
 from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.derive_levels import Equation
 from dhcli.kinematics.inverse.derive_terms import Atom, Coefficients, Knowledge, in_atom
+from dhcli.notation.angle import magnitude
 from dhcli.notation.tree import (
     HALF,
     ONE,
@@ -186,8 +186,8 @@ def common_factor(a: Expr, b: Expr) -> Expr:
         return ONE
     first, second = (list(x.factors) if type(x) is Product else [x] for x in (a, b))
     shared = [factor for factor in first if factor in second and type(factor) is not Number]
-    numbers = [abs(f[0].value) if type(f[0]) is Number else Fraction(1) for f in (first, second)]
-    number = numbers[0] if numbers[0] == numbers[1] else Fraction(1)
+    numbers = [magnitude(f[0].value) if type(f[0]) is Number else 1 for f in (first, second)]
+    number = numbers[0] if numbers[0] == numbers[1] else 1
     return multiply(Number(number), *shared)
 
 
@@ -195,7 +195,7 @@ def over_root(one: Expr, root: Expr) -> Expr:
     """A quotient by a root, with the root below the line."""
     if type(root) is not Power or root.exponent != HALF:
         return divided(one, root)
-    below = Power(root, Fraction(-1))  # not folded into a power of minus one half, which nobody writes
+    below = Power(root, -1)  # not folded into a power of minus one half, which nobody writes
     factors = one.factors if type(one) is Product else (one,)
     return below if one == ONE else Product((*factors, below))
 
@@ -224,7 +224,7 @@ def squared(level: Equation, left: Sequence[Expr], right: Sequence[Expr], atom: 
     second = add(*(multiply(r[0], r[2]) for r in rows))
     shorter = min(cc, ss, key=operations)
     k0 = negate(add(total, negate(constant), negate(shorter)))
-    two = Number(Fraction(2))
+    two = Number(2)
     first = ZERO if equal(first, ZERO) else first
     second = ZERO if equal(second, ZERO) else second
     made = of_coefficients((k0, multiply(two, first), multiply(two, second)), atom, (level,), "SQUARES")

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from fractions import Fraction
 from typing import TypeAlias
 
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational
 from dhcli.notation.tree import ONE, ZERO, Expr, Power, Product, Sum, Symbol, Trig, add, multiply, negate
 from dhcli.notation.trig import cosine, sine
 from dhcli.notation.walk import children, walk
 
-Terms: TypeAlias = tuple[tuple[str, Fraction], ...]
+Terms: TypeAlias = tuple[tuple[str, Rational], ...]
 """Names and multiples of a sum of angles."""
 
 Atom: TypeAlias = Terms | str
@@ -127,7 +126,7 @@ def in_atom(expr: Expr, atom: Atom, known: Knowledge) -> Coefficients | None:
             return None
         others = [factor for factor in expr.factors if factor is not inside[0]]
         return (multiply(*others, part[0]), multiply(*others, part[1]), multiply(*others, part[2]))
-    if isinstance(expr, Power) and isinstance(atom, str) and expr == Power(Symbol(atom), Fraction(2)):
+    if isinstance(expr, Power) and isinstance(atom, str) and expr == Power(Symbol(atom), 2):
         return ZERO, ZERO, ONE
     return None
 
@@ -147,7 +146,7 @@ def _multiple(angle: Angle, atom: Terms) -> int:
     return _sign(atom, dict(angle.terms))
 
 
-def _sign(terms: Terms, held: Mapping[str, Fraction]) -> int:
+def _sign(terms: Terms, held: Mapping[str, Rational]) -> int:
     """1 or -1 if terms stand among others, all as they are or all with the opposite sign; else 0."""
     if any(name not in held for name, _ in terms):
         return 0

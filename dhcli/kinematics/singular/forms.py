@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from dhcli.kinematics.singular.polynomial import TooLongError, contracted, expanded, grouped, product, written
+from dhcli.notation.angle import Rational, magnitude
 from dhcli.notation.tree import (
     ZERO,
     Expr,
@@ -23,12 +24,13 @@ from dhcli.notation.tree import (
 from dhcli.notation.walk import operations
 
 
-def factors_of(expr: Expr) -> tuple[Fraction, dict[Expr, int]]:
+def factors_of(expr: Expr) -> tuple[Rational, dict[Expr, int]]:
     """An expression as a number and its factors with whole exponents; a sum gives what its terms share."""
     if type(expr) is Number:
         return expr.value, {}
     if type(expr) is Product:
-        value, found = Fraction(1), dict[Expr, int]()
+        value: Rational = 1
+        found = dict[Expr, int]()
         for factor in expr.factors:
             own, inner = factors_of(factor)
             value *= own
@@ -38,24 +40,24 @@ def factors_of(expr: Expr) -> tuple[Fraction, dict[Expr, int]]:
     if type(expr) is Power and expr.exponent.denominator == 1:
         value, found = factors_of(expr.base)
         exponent = expr.exponent.numerator
-        return value**exponent, {base: own * exponent for base, own in found.items()}
+        return Fraction(value) ** exponent, {base: own * exponent for base, own in found.items()}
     if type(expr) is Sum:
         return _shared(expr)
-    return Fraction(1), {expr: 1}
+    return 1, {expr: 1}
 
 
-def _shared(expr: Sum) -> tuple[Fraction, dict[Expr, int]]:
+def _shared(expr: Sum) -> tuple[Rational, dict[Expr, int]]:
     """What all terms of a sum have as a factor, and the bracket that is left."""
     taken = [factors_of(term) for term in expr.terms]
     common = {base: least for base in taken[0][1] if (least := min(factors.get(base, 0) for _, factors in taken)) > 0}
     sign = -1 if taken[0][0] < 0 else 1
-    sizes = {abs(value) for value, _ in taken}
-    size = sizes.pop() if len(sizes) == 1 else Fraction(1)
+    sizes = {magnitude(value) for value, _ in taken}
+    size = sizes.pop() if len(sizes) == 1 else 1
     if not common and size == 1:
         rest = negate(expr) if sign < 0 else expr
-        return Fraction(sign), {rest: 1}
+        return sign, {rest: 1}
     terms = [
-        product(value / (size * sign), {b: e - common.get(b, 0) for b, e in factors.items()})
+        product(Fraction(value, size * sign), {b: e - common.get(b, 0) for b, e in factors.items()})
         for value, factors in taken
     ]
     value, found = factors_of(add(*terms))
@@ -85,9 +87,10 @@ def determinant(rows: Sequence[Sequence[Expr]]) -> Expr:
     return multiply(outside, add(*terms) if terms else ZERO)
 
 
-def _without_common(rows: Sequence[Sequence[Expr]]) -> tuple[Fraction, dict[Expr, int], list[list[Expr]]]:
+def _without_common(rows: Sequence[Sequence[Expr]]) -> tuple[Rational, dict[Expr, int], list[list[Expr]]]:
     """What the entries of a row or column share, and the rest of the matrix."""
-    value, taken = Fraction(1), dict[Expr, int]()
+    value: Rational = 1
+    taken = dict[Expr, int]()
     table = [list(row) for row in rows]
     for _ in range(2):
         for k, row in enumerate(table):
@@ -112,19 +115,19 @@ def _filled(entries: Iterable[Expr]) -> int:
     return sum(entry != ZERO for entry in entries)
 
 
-def shortest(expr: Expr) -> tuple[Fraction, dict[Expr, int]]:
+def shortest(expr: Expr) -> tuple[Rational, dict[Expr, int]]:
     """An expression in factors, each in the shortest of its forms."""
     value, factors = factors_of(expr)
     found: dict[Expr, int] = {}
     for base, exponent in factors.items():
-        own, inner = _shortest(base) if type(base) is Sum else (Fraction(1), {base: 1})
-        value *= own**exponent
+        own, inner = _shortest(base) if type(base) is Sum else (1, {base: 1})
+        value *= Fraction(own) ** exponent
         for one, times in inner.items():
             found[one] = found.get(one, 0) + times * exponent
     return value, found
 
 
-def _shortest(expr: Sum) -> tuple[Fraction, dict[Expr, int]]:
+def _shortest(expr: Sum) -> tuple[Rational, dict[Expr, int]]:
     candidates: list[Expr] = [expr]
     try:
         terms = expanded(expr)
@@ -139,7 +142,7 @@ def _shortest(expr: Sum) -> tuple[Fraction, dict[Expr, int]]:
     for base, exponent in factors.items():
         ordered = _in_order(base)
         if ordered is not base and is_negative(ordered.terms[0]):  # type: ignore[attr-defined]
-            ordered, value = negate(ordered), value * (-1) ** exponent
+            ordered, value = negate(ordered), value * (-1 if exponent % 2 else 1)
         found[ordered] = exponent
     return value, found
 

@@ -5,18 +5,17 @@ A cosine and a sine of sums stay as they are; `c3*c23 + s3*s23` becomes `c2` onl
 
 from __future__ import annotations
 
-from fractions import Fraction
 from itertools import combinations
 from typing import TypeAlias
 
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational, magnitude
 from dhcli.notation.tree import ZERO, Expr, Number, Power, Product, Sum, Trig, add, multiply, negate, number, power
 from dhcli.notation.trig import cosine, sine
 
 Monomial: TypeAlias = frozenset[tuple[Expr, int]]
 """Bases with their exponents; the number in front stands elsewhere."""
 
-Polynomial: TypeAlias = dict[Monomial, Fraction]
+Polynomial: TypeAlias = dict[Monomial, Rational]
 
 MOST_DECIMALS = 16
 
@@ -28,13 +27,13 @@ class TooLongError(ArithmeticError):
     """A product with more terms than anybody would read."""
 
 
-def product(value: Fraction, factors: dict[Expr, int]) -> Expr:
+def product(value: Rational, factors: dict[Expr, int]) -> Expr:
     """A number times factors with exponents; a number of tenths is written with decimals, as lengths are."""
     places = _decimals(value)
     return multiply(number(value, places), *(power(base, exponent) for base, exponent in factors.items() if exponent))
 
 
-def _decimals(value: Fraction) -> int | None:
+def _decimals(value: Rational) -> int | None:
     """Decimals of a number such as 0.12; None for one that is better shown as a fraction, such as 1/4 or 1/3."""
     if value.denominator % 5:
         return None
@@ -59,21 +58,21 @@ def _expanded(expr: Expr) -> Polynomial:
             _add(total, _expanded(term))
         return total
     if type(expr) is Product:
-        total = {frozenset(): Fraction(1)}
+        total = {frozenset(): 1}
         for factor in expr.factors:
             total = _multiplied(total, _expanded(factor))
         return total
     if type(expr) is Power and expr.exponent.denominator == 1 and expr.exponent > 0:
-        total = {frozenset(): Fraction(1)}
+        total = {frozenset(): 1}
         for _ in range(expr.exponent.numerator):
             total = _multiplied(total, _expanded(expr.base))
         return total
-    return {frozenset({(expr, 1)}): Fraction(1)}
+    return {frozenset({(expr, 1)}): 1}
 
 
 def _add(total: Polynomial, other: Polynomial) -> None:
     for monomial, value in other.items():
-        total[monomial] = total.get(monomial, Fraction(0)) + value
+        total[monomial] = total.get(monomial, 0) + value
         if not total[monomial]:
             del total[monomial]
 
@@ -126,18 +125,18 @@ def contracted(terms: Polynomial) -> Polynomial:
     return _pythagoras(terms)
 
 
-def _pair(terms: Polynomial) -> tuple[Monomial, Monomial, Fraction, Polynomial] | None:
+def _pair(terms: Polynomial) -> tuple[Monomial, Monomial, Rational, Polynomial] | None:
     """Two terms that an addition theorem makes one."""
     for one, other in combinations(terms, 2):
-        if abs(terms[one]) != abs(terms[other]):
+        if magnitude(terms[one]) != magnitude(terms[other]):
             continue
         mine, yours = one - other, other - one
         if not (_are_two_trigs(mine) and _are_two_trigs(yours) and _angles(mine) == _angles(yours)):
             continue
-        sign = terms[other] / terms[one]
+        sign = 1 if terms[other] == terms[one] else -1
         found = _together(_in_order(mine), _in_order(yours), sign)
         if found is not None:
-            return one, other, terms[one], _multiplied({one & other: Fraction(1)}, _expanded(found))
+            return one, other, terms[one], _multiplied({one & other: 1}, _expanded(found))
     return None
 
 
@@ -156,7 +155,7 @@ def _in_order(trigs: Monomial) -> tuple[Trig, Trig]:
     return first, second
 
 
-def _together(first: tuple[Trig, Trig], second: tuple[Trig, Trig], sign: Fraction) -> Expr | None:
+def _together(first: tuple[Trig, Trig], second: tuple[Trig, Trig], sign: int) -> Expr | None:
     """The sum of a product of two and another such product of the same angles by an addition theorem, or None."""
     (a, b), (c, d) = first, second
     if c.angle != a.angle:

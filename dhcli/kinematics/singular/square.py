@@ -8,7 +8,6 @@ give the finest blocks on the diagonal. Where the zeros are is read off one eval
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
 from functools import cache
 from itertools import product as pairs
 
@@ -19,6 +18,7 @@ from dhcli.kinematics.singular.blocks import Block, blocks_of
 from dhcli.kinematics.singular.forms import determinant, shortest
 from dhcli.kinematics.singular.modular import minus
 from dhcli.kinematics.singular.polynomial import TooLongError, product
+from dhcli.notation.angle import Rational
 from dhcli.notation.tree import Expr, number
 from dhcli.notation.walk import operations
 
@@ -187,9 +187,10 @@ class Writing:
             raise TooLongError
         return rows
 
-    def factors(self, choice: Choice) -> tuple[Fraction, dict[Expr, int]]:
+    def factors(self, choice: Choice) -> tuple[Rational, dict[Expr, int]]:
         """The determinant up to sign, in factors."""
-        value, found = Fraction(1), dict[Expr, int]()
+        value: Rational = 1
+        found = dict[Expr, int]()
         for block in choice.blocks:
             own, factors = shortest(determinant(self.block(choice, block)))
             value *= own
@@ -200,7 +201,7 @@ class Writing:
 
 def factored(
     arm: Arm, point: Point, joints: Sequence[int], kept: Sequence[int]
-) -> tuple[Fraction, dict[Expr, int], Choice] | None:
+) -> tuple[Rational, dict[Expr, int], Choice] | None:
     """The determinant of the chosen columns and rows up to sign, in factors, by the choice that gives the shortest.
 
     Returns:

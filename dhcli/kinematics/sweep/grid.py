@@ -9,7 +9,7 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.derived import in_floats, metres
 from dhcli.kinematics.ranges import difference, times, total
 from dhcli.kinematics.robot import Value
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Rational
 
 
 @frozen
@@ -87,9 +87,9 @@ class Grid:
         return {axis.name: found[axis.name] for axis in self.axes}
 
 
-def _line(first: Fraction, last: Fraction, count: int) -> list[float]:
+def _line(first: Rational, last: Rational, count: int) -> list[float]:
     """Values from one to another in equal steps; a quotient of integers is rounded once, to the nearest float."""
-    step = (last - first) / (count - 1)
+    step = Fraction(last - first, count - 1)
     below = math.lcm(first.denominator, step.denominator)
     start, rise = int(first * below), int(step * below)
     return [(start + k * rise) / below for k in range(count)]

@@ -11,6 +11,7 @@ from dhcli.algebra.arithmetic import settled, sum_of_products
 from dhcli.algebra.terms import TERMS
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
+from dhcli.geometry.vectors import ORIGIN
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.given import coordinates, real
 from dhcli.kinematics.robot import Robot, check_robot
@@ -23,7 +24,6 @@ from dhcli.notation.tree import ZERO, Expr
 N = TypeVar("N")
 
 Triple: TypeAlias = tuple[N, N, N]
-NOTHING = (0.0, 0.0, 0.0)
 
 
 @frozen
@@ -73,8 +73,8 @@ class Torques(Generic[N]):
 def torques(
     robot: Robot,
     q: JointInput = None,
-    force: Iterable[float] = NOTHING,
-    moment: Iterable[float] = NOTHING,
+    force: Iterable[float] = ORIGIN,
+    moment: Iterable[float] = ORIGIN,
     *,
     parameters: Given | None = None,
     **viewing: Unpack[Viewing],
@@ -111,7 +111,7 @@ def symbolic_torques(
     robot: Robot,
     q: JointInput = None,
     force: Iterable[float | str] = ("f_x", "f_y", "f_z"),
-    moment: Iterable[float | str] = NOTHING,
+    moment: Iterable[float | str] = ORIGIN,
     *,
     parameters: Given | None = None,
     **viewing: Unpack[Viewing],

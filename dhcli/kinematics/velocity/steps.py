@@ -6,13 +6,13 @@ One fold serves every kind of number, as that of the pose does: it runs over flo
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from fractions import Fraction
 from typing import Generic, TypeAlias, TypeVar
 
 from dhcli.algebra.arithmetic import Arithmetic, plus, times
 from dhcli.frozen import frozen
 from dhcli.geometry.motion import Rows, dot, rotate
 from dhcli.kinematics.moves import PLANES, Chain, Fixed, Move, Rot, Trans, expressions
+from dhcli.notation.angle import Rational
 from dhcli.notation.derivative import derivative
 from dhcli.notation.factors import AXES, Axis
 from dhcli.notation.tree import ZERO, Expr, Number, number
@@ -36,7 +36,7 @@ class Step:
     """
 
     move: Move
-    turning: tuple[tuple[int, Fraction], ...] = ()
+    turning: tuple[tuple[int, Rational], ...] = ()
     sliding: tuple[tuple[int, Offset], ...] = ()
 
 

@@ -215,12 +215,12 @@ def _without_detours(ahead: Chain, moving: Chain, behind: Chain, joints: Iterabl
     kept = frozenset(joints)
     path = list(ahead)
     for move in moving:
-        if path and not kept & names((move,)) and path[-1] == inverse_of(move):
+        if path and type(path[-1]) is type(move) and not kept & names((move,)) and path[-1] == inverse_of(move):
             path.pop()
         else:
             path.append(move)
     for move in behind:
-        if path and not kept & names((path[-1],)) and path[-1] == inverse_of(move):
+        if path and type(path[-1]) is type(move) and not kept & names((path[-1],)) and path[-1] == inverse_of(move):
             path.pop()
         else:
             path.append(move)

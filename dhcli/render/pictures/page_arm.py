@@ -113,7 +113,7 @@ def _quarters(angle: Angle, given: Given, variables: tuple[str, ...]) -> tuple[i
     """The constant part of an angle: quarter turns, exactly, and what is left in radians."""
     known = {name: value for name, value in given.items() if isinstance(value, Angle) and name not in variables}
     constant = angle.substitute(known)
-    quarters = math.floor(constant.degrees / 90)
+    quarters = int(constant.degrees // 90)
     rest = Angle((), constant.degrees - 90 * quarters, constant.radians).constant()
     for name, factor in constant.terms:
         if name not in variables:

@@ -355,6 +355,25 @@ def test_limits_and_what_says_nothing_of_links_stand_in_tables_of_makers() -> No
     assert gap(robot, [0.3, 0.5, 0.05], expected) < 1e-15
 
 
+def test_ranges_of_makers_are_limits() -> None:
+    """One number for both, two in any order of signs, from one to the other; a unit in the head."""
+    robot = imported(
+        "i\ta(i-1)\talpha(i-1) [deg]\td(i)\ttheta(i)\tRange [deg]\n1\t0\t0\t0\tq1\t±170\n"
+        "2\t0.1\t-90\t0\tq2\t+90°/-80°\n3\t0\t90\t*\t0\t0..100 mm\n4\t0\t0\t-\tvar\t-\n",
+        convention="modified",
+    )
+    assert {name: tuple(map(value_text, pair)) for name, pair in robot.limits.items()} == {
+        "q1": ("-170°", "170°"),
+        "q2": ("-80°", "90°"),
+        "d3": ("0 m", "0.1 m"),
+    }
+    expected = modified(0.3, 0, 0, 0) @ modified(0.5, 0, 0.1, -math.pi / 2)
+    expected = expected @ modified(0, 0.05, 0, math.pi / 2) @ modified(0.7, 0, 0, 0)
+    assert gap(robot, [0.3, 0.5, 0.05, 0.7], expected) < 1e-15
+    with pytest.raises(FileError, match=r"x:2:15: 'free' is no range .write ±170° or -170°..170°"):
+        imported("a,alpha,d,theta,range\n0.1,pi/2,0,t1,free\n", convention="standard")
+
+
 @pytest.mark.parametrize(
     "text",
     [

@@ -114,7 +114,7 @@ def test_all_mistakes_are_told_at_once_in_their_order() -> None:
         "my.yaml:5:1: tsk: unknown key (did you mean task",
         "my.yaml:6:17: theta1: the angle 30 has no unit (write 30°",
         "my.yaml:7:10: numeric: should be true or false, is 'maybe'",
-        "my.yaml:8:7: unit: 'furlong' is no unit of length",
+        "my.yaml:8:7: unit: 'furlong' is not known",
         "my.yaml:9:11: feedback: 'always' is not known (write expected, or leave it out)",
         "my.yaml:10:23: rotation: x is not a name",
         "my.yaml:10:26: size: unknown key",
@@ -124,7 +124,7 @@ def test_all_mistakes_are_told_at_once_in_their_order() -> None:
         "my.yaml:16:5: answer: is missing (write answer: ..., or mistake: sin-cos 1)",
         "my.yaml:16:6: part: there is no part pik (did you mean pick?)",
         "my.yaml:16:17: verdict: 'RIGT' is not known (write RIGHT)",
-        "my.yaml:17:10: picture: 'all' is not known (one of none, axes, frames)",
+        "my.yaml:17:10: picture: 'all' is not known (known: none, axes, frames)",
     ]
     assert len(found) == len(starts), found
     for problem, start in zip(found, starts, strict=True):
