@@ -333,7 +333,9 @@ def test_more_names_than_a_person_writes_are_refused(monkeypatch: pytest.MonkeyP
 def test_a_linkage_and_its_mobility_show_themselves_in_a_line() -> None:
     """As the prompt shows them; and what is no linkage is refused by what it is."""
     assert repr(load_linkage("slider-crank")) == "<Linkage slider-crank: Slider-crank, 4 links 3R 1P>"
-    assert repr(mobility_of(load_linkage("delta"))) == "<Mobility of Delta robot with pairs of rods: 9; by the formula 9>"
+    assert (
+        repr(mobility_of(load_linkage("delta"))) == "<Mobility of Delta robot with pairs of rods: 9; by the formula 9>"
+    )
     many = mobility_of(load_linkage("ring-of-arms"))
     assert repr(many) == "<Mobility of Platform on n RPS legs: unknown; by the formula 6 - n>"
     for given, said in (("bennett", r"load_linkage\('bennett'\) loads one"), (None, "not None")):
