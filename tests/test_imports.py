@@ -59,7 +59,7 @@ MAY = {
     "describe puma560 --as standard": f"{TEXT} csv kinematics.describe render.code",
     "ik puma560 --pose nominal": f"{TEXT} numpy csv json kinematics.inverse storage render.code",
     "ik planar-2r --derive": f"{TEXT} kinematics.inverse random",
-    "show puma560": f"{TEXT} csv render.code",
+    "show puma560": f"{TEXT} csv lint render.code",
     "draw puma560": DRAWN,
     "draw watt": DRAWN,
     "draw yim/planar-linkages": f"{DRAWN} {EXERCISE}",

@@ -28,7 +28,7 @@ from dhcli.notation.tree import ONE, ZERO, Expr, Number, number
 from dhcli.notation.walk import decimals, symbols
 from dhcli.regex import regex
 
-_MOVES = regex(r"\s*(?:Rot|Trans)_?\{?[xyz]?\}? ?\(")
+_MOVES = regex(r"\s*(?:(?:Rot|Trans)_?\{?[xyz]?\}?|[RT]_?\{?[xyz]\}?) ?\(")
 LEAST = 1e-12
 """What floating point leaves where an exact 0 or 1 was meant."""
 

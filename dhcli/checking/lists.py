@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from dhcli.notation.brackets import closing
 from dhcli.regex import regex
 
 _UNIT_BEHIND = regex(r"(?<![\w\])])[(\[](?P<values>[^()\[\]\n]{0,400})[)\]][ \t]{0,9}(?P<unit>rad|deg|°)(?!\w)")
@@ -83,16 +84,6 @@ def in_square_brackets(text: str) -> str:
     if text[:1] != "(" or end < 0 or not set(text[:end]) & set(",;|"):
         return text
     return f"[{text[1:end]}]{text[end + 1 :]}"
-
-
-def closing(text: str) -> int:
-    """Where the bracket closes with which a text begins; -1 if it does not."""
-    depth = 0
-    for i, letter in enumerate(text):
-        depth += (letter in "([") - (letter in ")]")
-        if depth == 0:
-            return i
-    return -1
 
 
 def _values(text: str) -> list[str]:

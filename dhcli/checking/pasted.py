@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 
-from dhcli.checking.lists import closing
+from dhcli.checking.reckoned import ReckonedError, reckoned
+from dhcli.errors import joined
+from dhcli.notation.brackets import closing
 from dhcli.notation.commas import Shape
 from dhcli.notation.pasted import EntriesError, rows_of
 from dhcli.notation.pasted import without_label as _without_label
@@ -18,11 +20,15 @@ _ABOUT_NUMBER = regex(r"(?:(?<=[\[(,;&])[ \t]{0,9}|(?<=\d[ \t]))≈(?=[+−-]?[\
 _ABOUT_WORD = regex(r"^\s{0,9}(?:ca\.?|circa|about|approx(?:\.|imately)?|~|≃|≅)\s{0,9}(?=[\d.+−-])", re.IGNORECASE)  # noqa: RUF001
 _WORD = (
     r"(?:the|my|so|then|it|this|here|is|are|final|answer|ans|result|solution|matrix|vector|position|rotation|point|pose"
-    r"|table|dh|jacobian|product|column|[^\W\d_](?:\{?_?\{?\d{1,2}\}?'?){0,2})"
+    r"|table|dh|jacobian|se3|product|column|[^\W\d_](?:\{?_?\{?\d{1,2}\}?'?){0,2})"
 )
 _WORDS = regex(rf"\s*(?P<words>{_WORD}(?:[ \t]{{1,9}}{_WORD}){{0,5}})[ \t]{{0,9}}(?P<colon>:?)\s*", re.IGNORECASE)
 """What people write before the bracket of a matrix, or with a colon before its rows: words, a letter with indices."""
-_EQUATION = regex(r"[\s\d.,+*/^()·×−-]{1,60}=")  # noqa: RUF001
+_NAMED = regex(
+    r"(?:\A\s{0,9}|[\])}]['ᵀ]?[^\S\n]{0,9}[;,\n]\s{0,9}(?:and\s{1,9})?)(?P<name>[^\W\d][\w{}'^ ]{0,14}?)\s{0,9}="
+    r"\s{0,9}(?=[\[(]|\\begin|\\left|np\.|array|[mM]atrix)"
+)
+"""A name before a matrix or a list, at the beginning or behind another one."""
 _CELLS = regex(r"[,;&\n]|\][^\]\[]{0,9}\[")
 _BEHIND = regex(r"\s{0,9}(?:\.?'|\^\{?\\?[A-Za-z]{1,3}\}?|ᵀ|\.T)?\s{0,9}(?:[A-Za-z°/]{1,6})?\s{0,9}[.;]?\s{0,9}")
 """Several cells, and what may stand behind their bracket."""
@@ -35,12 +41,15 @@ _NUMBER_WORDS = (
 
 
 _COUNTED = regex(
-    r"\s{0,9}(?:(?P<before>d\.?o\.?f\.?)\s{0,9}[:=]\s{0,9})?(?P<number>[a-z]{1,9}|\d{1,9})(?:\.0{1,9})?"
+    r"\s{0,9}(?:(?P<before>d\.?o\.?f\.?)\s{0,9}[:=]\s{0,9}"
+    r"|(?:(?:the|it|there|is|are|has|have|exactly|only|just|rank|answer|number|count)\s{1,9}){0,4})"
+    r"(?P<number>[a-z]{1,9}|\d{1,9})(?:\.0{1,9})?"
     r"(?:\s{1,9}(?P<behind>d\.?o\.?f\.?s?|degrees? of freedom"
     r"|(?:link|joint|freedom|constraint|solution|way|posture|branch)(?:e?s)?))?"
-    r"\s{0,9}\.?\s{0,9}",
+    r"\s{0,9}(?:\((?![^()]{0,60}(?:\d|\bor\b))[^()]{2,60}\)\s{0,9})?\.?\s{0,9}",
     re.IGNORECASE,
 )
+"""A whole number, what it counts, and a remark in brackets, `2 (elbow up and down)`."""
 
 
 LARGEST = 256_000
@@ -78,14 +87,19 @@ def without_label(text: str, shape: Shape | None = None) -> str:
         shape: Rows and columns of what is asked for, where several cells are.
 
     Raises:
-        UnreadableError: What stands in front is a number and names nothing, `7 = 6`.
+        UnreadableError: Several matrices or lists stand there, each with a name; or numbers that are not equal have a
+            sign of equality between them, `7 = 6`.
     """
+    several = [match["name"].strip() for match in _NAMED.finditer(text)]
+    if len(several) > 1:
+        raise UnreadableError(f"{joined(several)} stand here: write the one that is asked for")
     text = _ABOUT_NUMBER.sub("", _ABOUT_WORD.sub("", text))
     text = _ABOUT_NAMED.sub("=", text)
     text = _ABOUT.sub("=" if text[: text.find("≈")].strip() else "", text, count=1)
-    equation = _EQUATION.match(text)
-    if equation:
-        raise UnreadableError(f"{equation[0].strip()} ... is an equation between numbers; write the answer alone")
+    try:
+        text = reckoned(text)
+    except ReckonedError as error:
+        raise UnreadableError(str(error)) from None
     return _without_label(text, shape)
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from dhcli.checking.lists import closing, unnumbered, untransposed
+from dhcli.checking.lists import unnumbered, untransposed
 from dhcli.errors import NotationError
+from dhcli.notation.brackets import closing
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ONE, ZERO

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
 
 from dhcli.algebra.floats import Floats
-from dhcli.checking.exercise import Exercise
 from dhcli.frozen import frozen
 from dhcli.kinematics.derived import Value, in_floats
 from dhcli.kinematics.description import Description, Link
@@ -14,16 +14,21 @@ from dhcli.kinematics.limits import is_within_limits
 from dhcli.kinematics.moves import Chain, Fixed, Trans
 from dhcli.kinematics.validity import Finding
 from dhcli.kinematics.values import symbols_of
-from dhcli.mobility.linkage import Linkage
 from dhcli.notation.names import is_greek
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
+
+if TYPE_CHECKING:
+    from dhcli.checking.exercise import Exercise
+    from dhcli.mobility.linkage import Linkage
 
 LONGEST = 10.0
 """Metres; an arm with a longer link was measured in millimetres."""
 
 LONGEST_BAR = 100.0
 """Metres; a linkage that is larger was, too."""
+
+_LONG = "is longer than any arm"
 
 SHORTEST = 0.002
 """Metres; an arm whose longest length is shorter was measured in metres, and read in millimetres."""
@@ -50,6 +55,21 @@ def of_robot(robot: Description) -> Iterator[Finding]:
         lengths = tuple(_of_robot(robot))
         yield from _too_long(lengths, "units: mm makes all of them so")
         yield from _too_short(robot, lengths)
+
+
+def told_once(robot: Description, hint: str = "") -> tuple[str, ...]:
+    """What is said of lengths that no arm has, in a sentence; nothing where it was said when the robot was read.
+
+    Args:
+        robot: The robot.
+        hint: What to do where they are too long; by default what an author would write.
+    """
+    found = [*of_robot(robot)]
+    if not found or any(_LONG in remark for remark in robot.remarks):
+        return ()
+    first = found[0]
+    more = f", and {len(found) - 1} more" if found[1:] else ""
+    return (f"{first.message}{more}; {hint if hint and _LONG in first.message else first.hint}",)
 
 
 def of_exercise(exercise: Exercise) -> Iterator[Finding]:
@@ -135,7 +155,7 @@ def _too_long(lengths: Iterable[_Length], of_many: str = "") -> Iterator[Finding
     """Each that is longer than an arm; of many it is said how all can be mended at once."""
     found = [length for length in lengths if length.value > LONGEST]
     for one in found:
-        message = f"{one.what} {one.value:g} m is longer than any arm"
+        message = f"{one.what} {one.value:g} m {_LONG}"
         yield Finding(one.where, message, _meant(one.value, of_many if len(found) > 1 else ""), is_warning=True)
 
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from dhcli.errors import plural
 from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle, magnitude
-from dhcli.notation.brackets import OPENING, STEPS
+from dhcli.notation.brackets import OPENING, closing
 from dhcli.notation.functions import FUNCTIONS
 from dhcli.notation.glued import in_degrees
 from dhcli.notation.operators import Operators
@@ -87,18 +87,14 @@ class Calls(Operators):
         self.position = start
         return has_names and not has_angle
 
-    def _bracket(self) -> Sequence[Token]:
-        """The tokens of the bracket that comes next."""
-        depth = 0
-        for at in range(self.position, len(self.tokens)):
-            depth += STEPS.get(self.tokens[at].text, 0)
-            if depth == 0:
-                return self.tokens[self.position : at + 1]
-        return self.tokens[self.position :]
+    def _bracket(self, longest: int | None = None) -> Sequence[Token]:
+        """The tokens of the bracket that comes next; none where it does not close, or not soon enough."""
+        tokens = self.tokens[self.position :][:longest]
+        return tokens[: closing(token.text for token in tokens) + 1]
 
     def _called(self, name: str, token: Token) -> Expr:
         """A function with arguments in brackets; short ones are read once, for a formula repeats few of them."""
-        short = self._short_bracket()
+        short = self._bracket(LONGEST_KEPT)
         key = f"{name}\0{spelling(short)}" if short else ""
         known = self.scope.read.get(key)
         if known is not None and self._has_room(known[1], len(short)):
@@ -106,24 +102,15 @@ class Calls(Operators):
             self._nodes += known[1]
             return known[0]
         nodes = self._nodes
-        closing = OPENING[self.advance().text]
+        close = OPENING[self.advance().text]
         arguments = [self.expression()]
         while self.take(","):
             arguments.append(self.expression())
-        self.expect(closing, f"after the argument of {name}")
+        self.expect(close, f"after the argument of {name}")
         value = self._apply(name, arguments, token)
         if short:
             self.scope.keep(key, value, self._nodes - nodes)
         return value
-
-    def _short_bracket(self) -> Sequence[Token]:
-        """The tokens of the bracket that comes next; none where it is long."""
-        depth = 0
-        for at in range(self.position, min(self.position + LONGEST_KEPT, len(self.tokens))):
-            depth += STEPS.get(self.tokens[at].text, 0)
-            if depth == 0:
-                return self.tokens[self.position : at + 1]
-        return ()
 
     def _bare_argument(self) -> Expr:
         """What `cos` without brackets applies to: a number with its unit and name, or one name."""

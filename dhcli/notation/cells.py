@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from dhcli.notation.brackets import OPENING, STEPS
+from dhcli.notation.brackets import OPENING, closing, depths
 from dhcli.notation.functions import FUNCTIONS
 from dhcli.notation.quantity import UNITS
 from dhcli.notation.tokens import Source, Token
@@ -18,14 +18,8 @@ def matching(tokens: Sequence[Token], start: int) -> int:
     """Index of the bracket that closes the one at `start`, or -1."""
     if start >= len(tokens) or tokens[start].kind != "sign" or tokens[start].text not in OPENING:
         return -1
-    depth = 0
-    for i in range(start, len(tokens)):
-        step = STEPS.get(tokens[i].text)
-        if step is not None:
-            depth += step
-            if depth == 0:
-                return i
-    return -1
+    end = closing(tokens[i].text for i in range(start, len(tokens)))
+    return -1 if end < 0 else start + end
 
 
 def rows_in(tokens: list[Token]) -> Iterator[list[Token]]:
@@ -34,11 +28,8 @@ def rows_in(tokens: list[Token]) -> Iterator[list[Token]]:
     if groups:
         yield from groups
         return
-    tokens = _as_commas(tokens)
     row: list[Token] = []
-    depth = 0
-    for token in tokens:
-        depth += STEPS.get(token.text, 0)
+    for token, depth in with_depths(_as_commas(tokens)):
         if depth == 0 and (token.kind == "newline" or token.text == ";"):
             yield row
             row = []
@@ -151,14 +142,7 @@ def _separates(before: Token, token: Token, after: list[Token]) -> bool:
 
 def with_depths(row: Sequence[Token]) -> Iterator[tuple[Token, int]]:
     """Each token with the bracket depth it stands at; a bracket stands outside itself."""
-    depth = 0
-    for token in row:
-        step = STEPS.get(token.text, 0)
-        if step < 0:
-            depth += step
-        yield token, depth
-        if step > 0:
-            depth += step
+    return zip(row, depths(token.text for token in row), strict=True)
 
 
 def trimmed(tokens: Sequence[Token]) -> list[Token]:

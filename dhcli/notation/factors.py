@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 Axis = Literal["x", "y", "z"]
 AXES: tuple[Axis, ...] = ("x", "y", "z")
 
-_ROTATION = regex(r"(?:Rot|rot|Rotate|R)_?\{?([xyz])?\}?")
-_TRANSLATION = regex(r"(?:Trans|trans|Transl|transl|Translate|T|D)_?\{?([xyz])?\}?")
+_ROTATION = regex(r"(?:(?i:t?rot(?:ate|ation)?)|R)_?\{?([xyzXYZ])?\}?")
+_TRANSLATION = regex(r"(?:(?i:trans(?:l|late|lation)?)|T|D)_?\{?([xyzXYZ])?\}?")
 _TURNS = {"rpy": 3, "euler": 4, "quaternion": 4, "quat": 4, "rotvec": 3, "rotation_vector": 3}
 """Rotations by several numbers, and how many each takes."""
 _LACKS = {"3x4": "add the row 0 0 0 1", "3x3": "add the position as fourth column, and the row 0 0 0 1"}
@@ -182,11 +182,12 @@ def _axis(
     if axis is None and arguments:
         axis = "".join(token.text for token in arguments[0] if token.text not in ("'", '"'))
         arguments = arguments[1:]
-    if axis not in AXES:
+    found = next((one for one in AXES if axis is not None and one == axis.lower()), None)
+    if found is None:
         raise source.error(word.start, f"{word.text} turns or shifts along x, y or z, not {axis or 'nothing'}", example)
     if len(arguments) != 1:
         raise source.error(close.start, f"{word.text} about {axis} takes one value, not {len(arguments)}", example)
-    return axis, arguments
+    return found, arguments
 
 
 def _arguments(tokens: Sequence[Token]) -> list[list[Token]]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from dhcli.errors import NotationError, Place
-from dhcli.notation.brackets import OPENING, STEPS
+from dhcli.notation.brackets import OPENING, STEPS, closing
 from dhcli.notation.calls import Calls
 from dhcli.notation.dimensions import unit_meant
 from dhcli.notation.functions import FUNCTIONS, is_usual, nearest_meaning, refusal
@@ -174,12 +174,8 @@ class Parser(Calls):
         if tokens[last + 1].text == "^" and tokens[last + 2].kind == "number":
             last += 2
         if tokens[last + 1].text in OPENING and tokens[last + 1].kind == "sign":
-            depth = 0
-            for i in range(last + 1, len(tokens) - 1):
-                depth += STEPS.get(tokens[i].text, 0)
-                if depth == 0:
-                    return i
-            return len(tokens) - 2
+            end = closing(token.text for token in tokens[last + 1 : -1])
+            return len(tokens) - 2 if end < 0 else last + 1 + end
         if tokens[last + 1].kind == "number":
             last += 1
             return last + (tokens[last + 1].text == "°" or self._is_angle_word(tokens[last + 1]))

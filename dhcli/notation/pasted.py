@@ -27,6 +27,11 @@ _ENTRY = regex(
     r"(?:^|[\n,;])[^\S\n]*(?:\{\})?(?:\^\{?[0-9]\}?)?(?:_\{?[0-9]\}?)?([rRnoapPT])_?\{?([1-3]{2}|[xyz])\}?[^\S\n]*&?=\s*&?"
 )
 """What stands before an entry in a list of them; no blank lines, or each would be gone through from all before it."""
+_BLOCKS = regex(
+    r"\s{0,9}R[\w{}]{0,6}\s{0,9}=\s{0,9}(?P<rotation>\[[^=]{1,2000}?\])\s{0,9}[,;]?\s{0,9}(?:and\s{1,9})?"
+    r"[pdto][\w{}]{0,6}\s{0,9}=\s{0,9}(?P<position>\[[^=]{1,2000}\](?:\^?\{?T\}?|')?)\s{0,9}"
+)
+"""Rotation and position beside each other, `R = [...], p = [...]`."""
 _POSE, _ROTATION = (4, 4), (3, 3)
 
 
@@ -60,6 +65,8 @@ def rows_of(text: str, shape: Shape) -> str:
     if text.lstrip().startswith("{") and '"matrix"' in text:
         return _from_json(text)
     text = equations(plain(text))
+    if shape == _POSE and (blocks := _BLOCKS.fullmatch(text)):
+        return _from_blocks(blocks["rotation"], blocks["position"]) or text
     found = list(_ENTRY.finditer(text))
     if len(found) < 2 or text[: found[0].start()].strip():  # noqa: PLR2004  one name is the label of the whole answer
         return text
@@ -107,6 +114,18 @@ def _without_tabs(text: str, shape: Shape | None) -> str:
     if any(len(row) != width for row in rows) or width != wanted or width == 1 or (len(rows) == 1 and not is_list):
         return text
     return "\n".join(", ".join(row) for row in rows)
+
+
+def _from_blocks(rotation: str, position: str) -> str:
+    """The pose of `R = [...]` and `p = [...]`, entries as they were written; empty where they are none."""
+    try:
+        rows, column = ([[cell.text for cell in row] for row in parse_matrix(text)] for text in (rotation, position))
+    except NotationError:
+        return ""
+    shifts = [entry for row in column for entry in row]
+    if [len(row) for row in rows] != [3] * 3 or len(shifts) != 3 or min(len(column), len(column[0])) > 1:  # noqa: PLR2004
+        return ""
+    return bracketed([*([*row, shift] for row, shift in zip(rows, shifts, strict=True)), ["0", "0", "0", "1"]])
 
 
 def _place(letter: str, index: str) -> str:

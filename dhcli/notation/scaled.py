@@ -7,8 +7,8 @@ from fractions import Fraction
 
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Rational
-from dhcli.notation.brackets import OPENING, STEPS
-from dhcli.notation.cells import trimmed
+from dhcli.notation.brackets import OPENING
+from dhcli.notation.cells import matching, trimmed
 from dhcli.notation.parser import read_all
 from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.scope import Scope
@@ -103,22 +103,13 @@ def _matrix(tokens: Sequence[Token], wrappers: frozenset[str]) -> tuple[int, int
         called = token.kind == "word" and token.text in wrappers and i + 1 < len(tokens)
         opening = i + 1 if called else i
         if (tokens[opening].text == "[" or (called and tokens[opening].text in OPENING)) or _holds_matrix(tokens, i):
-            return i, _closing(tokens, opening)
+            return i, matching(tokens, opening)
     return 0, -1
 
 
 def _holds_matrix(tokens: Sequence[Token], at: int) -> bool:
     """Whether a round bracket stands here around a matrix."""
     return tokens[at].text == "(" and at + 1 < len(tokens) and tokens[at + 1].text in ("begin", "[")
-
-
-def _closing(tokens: Sequence[Token], start: int) -> int:
-    depth = 0
-    for i in range(start, len(tokens)):
-        depth += STEPS.get(tokens[i].text, 0)
-        if depth == 0:
-            return i
-    return -1
 
 
 def _is_factor(tokens: Sequence[Token]) -> bool:

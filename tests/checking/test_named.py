@@ -123,6 +123,24 @@ def test_a_name_that_is_missing_or_stands_twice_is_told(answer: str, remark: str
     assert mark.remarks == (remark,)
 
 
+def test_a_jacobian_is_read_entry_by_entry() -> None:
+    """In any order; one that lacks is told."""
+    ask = "jacobian linear of 0..2"
+    rows = [
+        row.split(", ")
+        for row in judge_of(asked("planar-2r", ask)).expected(asked("planar-2r", ask).parts[0])[2:-2].split("], [")
+    ]
+    entries = [f"J_{{{r + 1}{c + 1}}} = {entry}" for r, row in enumerate(rows) for c, entry in enumerate(row)]
+    assert told(ask, ", ".join(reversed(entries))).verdict is Verdict.RIGHT
+    assert (
+        told(
+            ask, "\n".join(entries).replace("J_{11}", "J_{1}").replace("J_{12}", "J_{11}").replace("J_{1}", "J_{12}")
+        ).verdict
+        is Verdict.WRONG
+    )
+    assert told(ask, "; ".join(entries[1:])).remarks == ("entry (1,1) is missing",)
+
+
 def test_names_of_an_arm_are_factors_and_not_labels() -> None:
     """`d3 2` is a product where there is a d3, and so is a formula that begins with a function."""
     for text in ("d3 2, x 3", "cos 1, sin 2, 3", "2, 3, 4", "x1 = x2", ""):
@@ -134,3 +152,42 @@ def test_every_order_of_three_gives_the_same_list() -> None:
     for order in permutations(range(3)):
         text = ", ".join(f"{'xyz'[k]}={k},5" for k in order)
         assert in_order(text, (XYZ,), OPEN) == "0,5; 1,5; 2,5"
+
+
+FIRST, WHOLE, SPACE = "column 1 of jacobian of 0..2", "jacobian of 0..2", "column 1 of jacobian space of 0..2"
+LINEAR, ANGULAR = "-a1*s1 - a2*s12, a1*c1 + a2*c12, 0", "0, 0, 1"
+UPPER, LOWER = "-a1*s1-a2*s12 -a2*s12; a1*c1+a2*c12 a2*c12; 0 0", "0 0; 0 0; 1 1"
+
+
+@pytest.mark.parametrize(
+    ("ask", "answer", "verdict"),
+    [
+        (FIRST, f"v = ({LINEAR}), ω = ({ANGULAR})", Verdict.RIGHT),
+        (FIRST, f"ω = ({ANGULAR})\nv = ({LINEAR})", Verdict.RIGHT),
+        (FIRST, f"J_w = [{ANGULAR.replace(',', ';')}]; J_v = [{LINEAR.replace(',', ';')}]", Verdict.RIGHT),
+        (FIRST, f"ω = ({LINEAR}), v = ({ANGULAR})", Verdict.WRONG),
+        (FIRST, f"v = ({LINEAR}), v = ({ANGULAR})", Verdict.CANNOT_READ),
+        (SPACE, "ω = (0, 0, 1), v = (0, 0, 0)", Verdict.RIGHT),
+        (SPACE, "v = [0 0 0]^T, ω = [0 0 1]^T", Verdict.RIGHT),
+        (SPACE, "v = (0, 0, 1), ω = (0, 0, 0)", Verdict.WRONG),
+        (WHOLE, f"Jv = [{UPPER}], Jw = [{LOWER}]", Verdict.RIGHT),
+        (WHOLE, f"Jω = [{LOWER}]\nJv = [{UPPER}]", Verdict.RIGHT),
+        (WHOLE, f"Jω = [{UPPER}]\nJv = [{LOWER}]", Verdict.WRONG),
+        (
+            WHOLE,
+            "J_v = [[-a1*s1-a2*s12, -a2*s12], [a1*c1+a2*c12, a2*c12], [0, 0]]; J_w = [[0, 0], [0, 0], [1, 1]]",
+            Verdict.RIGHT,
+        ),
+        ("position of pose 0..2", "p1 = (1, 2, 3), p2 = (a1*c1 + a2*c12, a1*s1 + a2*s12, 0)", Verdict.CANNOT_READ),
+        ("rotation of pose 0..2", "A = [1 0 0; 0 1 0; 0 0 1]; R = [c12 -s12 0; s12 c12 0; 0 0 1]", Verdict.CANNOT_READ),
+        (
+            "rotation of pose 0..2",
+            "R = A B = [c1 -s1 0; s1 c1 0; 0 0 1] [c2 -s2 0; s2 c2 0; 0 0 1] = [c12 -s12 0; s12 c12 0; 0 0 1]",
+            Verdict.RIGHT,
+        ),
+    ],
+)
+def test_halves_of_a_jacobian_stand_where_their_names_say(ask: str, answer: str, verdict: Verdict) -> None:
+    """One above the other, whichever is written first; two answers with names of their own are none."""
+    exercise = question_about(load_robot("planar-2r"), ask, numeric=False, given={})
+    assert checked(exercise, exercise.parts[0], answer).verdict is verdict

@@ -227,3 +227,18 @@ def test_a_bracket_that_is_never_closed_is_told(pose: Exercise) -> None:
 def test_numbers_of_other_keyboards_are_read(answer: str) -> None:
     """Wide digits, decimal commas between semicolons in lines, and a sign of about before a number."""
     assert check(load_exercise("yim/planar-in-numbers"), "t02", answer).verdict is Verdict.RIGHT
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict"),
+    [
+        ("R = [c12 -s12 0; s12 c12 0; 0 0 1], p = [a1c1 + a2c12; a1s1 + a2s12; 0]", Verdict.RIGHT),
+        ("R02 = [[c12, -s12, 0], [s12, c12, 0], [0, 0, 1]] and d02 = [a1*c1+a2*c12, a1*s1+a2*s12, 0]^T", Verdict.RIGHT),
+        ("R = [c12 s12 0; -s12 c12 0; 0 0 1], p = [a1c1 + a2c12; a1s1 + a2s12; 0]", Verdict.WRONG),
+        ("R = [c12 -s12 0; s12 c12 0; 0 0 1]", Verdict.CANNOT_READ),
+        ("R = [c12 -s12 0; s12 c12 0; 0 0 1], p = [a1c1 + a2c12; a1s1 + a2s12]", Verdict.CANNOT_READ),
+    ],
+)
+def test_a_pose_may_be_its_rotation_and_its_position(pose: Exercise, answer: str, verdict: Verdict) -> None:
+    """Beside each other, by their names."""
+    assert remarks(pose, answer)[0] is verdict

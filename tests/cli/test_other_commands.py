@@ -136,6 +136,20 @@ def test_limits_and_poses_are_in_degrees_however_they_were_written(dhcli: Run, t
     assert content["joints"][0]["limits"][0] == -2.8973
 
 
+def test_lengths_that_no_arm_has_are_told_where_a_robot_is_shown_or_made(dhcli: Run, tmp_path: Path) -> None:
+    """Millimetres without their unit are metres; once, and with what to do about it."""
+    table = "a,alpha,d,theta\n400,0,0,q1\n300,0,0,q2\n"
+    made = ("new", "robot", "--from", "-", "--convention", "standard")
+    arm = tmp_path / "arm.yaml"
+    long = dhcli(*made, "-o", str(arm), stdin=table)
+    said = "a of row 1: 400 m is longer than any arm, and 1 more; "
+    assert f"note: {said}--units mm takes bare lengths as such\n" in long.err
+    warning = f"dhcli: warning: {said}bare lengths are metres: did you mean 400 mm? units: mm makes all of them so\n"
+    assert dhcli("show", str(arm)).err == warning
+    assert "longer" not in dhcli(*made, "--units", "mm", "-o", "-", stdin=table).err
+    assert "did you mean 0.4 m?" in dhcli(*made, "-o", "-", stdin=table.replace("400", "4e-4").replace("300", "0")).err
+
+
 def test_a_table_is_exported(dhcli: Run) -> None:
     """CSV for a spreadsheet, LaTeX for a paper."""
     assert dhcli("show", "planar-2r", "--format", "csv").out.split("\n")[:2] == ["i,a,alpha,d,theta", "1,a1,0,0,theta1"]

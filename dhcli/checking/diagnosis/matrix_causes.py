@@ -36,10 +36,11 @@ def matrix_causes(case: Case, question: Wanted, entries: Entries) -> Causes:
     truth = truth_of(question, case)
     if not typed.is_general and (other := in_other_unit(question, truth, entries, case.memo, case.tolerance)):
         return _in_other_unit(exercise, typed, other.unit)
-    for slack in typed.slacks:
-        causes = typed.search.causes(typed.values, slack, typed.slacks[0])
-        if causes:
-            return tuple(cause.slips for cause in causes)
+    found = typed.search.causes(typed.values, typed.sharp, stages=("singles",)) if typed.sharp else ()
+    for slack in typed.slacks if not found else ():
+        found = found or typed.search.causes(typed.values, slack, typed.slacks[0])
+    if found:
+        return tuple(cause.slips for cause in found)
     return _in_other_unit(exercise, typed, OTHER_UNIT.get(exercise.unit, ""))
 
 

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
 
 from dhcli.checking.pasted import UnreadableError, refuse_long
-from dhcli.notation.brackets import OPENING
+from dhcli.notation.brackets import OPENING, depths, split
 from dhcli.regex import regex
 
 LONGEST = 20_000
@@ -19,6 +18,7 @@ _MINUS = "\N{MINUS SIGN}"
 AXIS = regex(rf"([+\-{_MINUS}]?)([xyz])(?:_?\{{?\d{{1,3}}\}}?)?")
 """A direction along an axis of the base: `+z`, `-x0`."""
 
+_CAPITALS = regex(rf"(?<![\w)])[+\-{_MINUS}]?[XYZ](?=_?\{{?\d{{0,3}}\}}?(?:$|[\s,;|&)\]}}=:]))")
 _HAS_AXIS = regex(rf"(?:^|[\s,;=:|&(\[{{]){AXIS.pattern}(?=$|[\s,;|&)\]}}=:])")
 _HEADS = regex(r"\W{0,9}(?:frame|no|i)?\W{0,9}(?:origin|o)\W{1,9}x\W{1,9}(?:y\W{1,9})?z\W{0,9}", re.IGNORECASE)
 _NUMBER = regex(r"\s*(?:frame\s{0,9})?\{?(\d{1,4})\}?\s{0,9}:|\s*frame\s{1,9}(\d{1,4})(?=\s)", re.IGNORECASE)
@@ -29,6 +29,11 @@ _BLANK = regex(r"(?<![+*/^-])[ \t]+(?![*/^]|[-+][ \t])")
 _VECTOR = 3
 _PAIRS = 3
 """Pairs of brackets around a text that say nothing; more of them are no notation of frames."""
+
+
+def small_axes(text: str) -> str:
+    """A text with small letters for the capital ones of axes, `+X0`."""
+    return _CAPITALS.sub(lambda axis: axis[0].lower(), text)
 
 
 def has_frames(text: str) -> bool:
@@ -139,21 +144,12 @@ def _at_blanks(text: str) -> Iterator[str]:
 
 def _pieces(text: str, separators: str) -> list[str]:
     """What stands between some signs, those within brackets left alone."""
-    masked = _masked(text)
-    cuts = [-1, *(i for i, letter in enumerate(masked) if letter in separators), len(text)]
-    pieces = (text[start + 1 : end].strip() for start, end in pairwise(cuts))
-    return [piece for piece in pieces if piece]
+    return [piece.strip() for _, piece in split(text, separators) if piece.strip()]
 
 
 def _masked(text: str) -> str:
     """A text of the same length without what stands within brackets."""
-    depth = 0
-    letters = []
-    for letter in text:
-        depth -= letter in OPENING.values() and depth > 0
-        letters.append("." if depth else letter)
-        depth += letter in OPENING
-    return "".join(letters)
+    return "".join("." if depth else letter for letter, depth in zip(text, depths(text), strict=True))
 
 
 def _bare(text: str) -> str:

@@ -23,6 +23,12 @@ _CALLED = regex(
     r"(?=[(\[]?(?:\d{1,3}|[a-z])[)\].:]{0,2}$)"
 )
 """What stands before the number of a statement, `option 2`, `answer: b`."""
+_NUMBERS = (("one", "first", "1st"), ("two", "second", "2nd"), ("three", "third", "3rd"), ("four", "fourth", "4th"))
+_COUNTED = regex(
+    rf"(?:the )?(?P<number>{'|'.join(word for words in _NUMBERS for word in words)})"
+    r"(?: (?:one|statement|option|answer|sentence))?\.?"
+)
+"""`the second one`."""
 LISTED = 240
 """Characters that the statements together may have to be listed in a message."""
 
@@ -71,6 +77,8 @@ class ChoiceQuestion(Question[int]):
         if label is not None and not found:
             number = int(label[1]) if label[1].isdigit() else ord(label[1]) - ord("a") + 1
             found = [number] if not label[2] or number in self._worded(label[2]) else []
+        if not found and (counted := _COUNTED.fullmatch(answer)):
+            found = [next(k for k, words in enumerate(_NUMBERS, 1) if counted["number"] in words)]
         wanted = f"choose a number from 1 to {len(self.options)}, or write the words of one statement alone"
         if len(found) > 1:
             raise UnreadableError(f"these words stand in {' and '.join(map(str, found))}: {wanted}")

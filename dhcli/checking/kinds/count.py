@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
@@ -21,6 +22,7 @@ from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Number, Unit
 from dhcli.notation.walk import walk
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from dhcli.mobility.counting import Counts
@@ -36,6 +38,9 @@ WHAT = {
     "constraints": ("constraint",),
     "freedoms": _FREEDOMS,
 }
+
+_NOUN = regex(r"\s{0,9}(?P<noun>(?:link|joint|freedom|constraint)s?)\s{0,9}[=:]", re.IGNORECASE)
+"""What is counted, before the number."""
 
 
 @frozen
@@ -110,6 +115,9 @@ class CountQuestion(AlternativesQuestion[int]):
 
     def read(self, case: Case, text: str, place: Place | None = None) -> int:
         self._right(case)
+        named = _NOUN.match(text)
+        if named and not named["noun"].lower().startswith(WHAT[self.what]):
+            raise UnreadableError(f"{named['noun']} are counted here, and {self.what} are asked for")
         expr = parse(without_number_word(without_label(text), WHAT[self.what]), Scope(), place or Place("answer"))
         if any(isinstance(node, Unit) for node in walk(expr)):
             raise UnreadableError("a count is a whole number and has no unit")

@@ -23,7 +23,7 @@ from dhcli.kinematics.conventions import ORDER, OTHER, moves_of
 from dhcli.kinematics.frames import View, place_of
 from dhcli.kinematics.moves import Chain, spelled
 from dhcli.kinematics.robot import Robot
-from dhcli.notation.brackets import STEPS
+from dhcli.notation.brackets import depths
 from dhcli.notation.scope import Scope
 from dhcli.regex import regex
 
@@ -100,11 +100,10 @@ class FactorsQuestion(AlternativesQuestion[Chain]):
 def as_product(text: str) -> str:
     """Moves as a product: commas, arrows and numbers of a list between them go, and so do the indices of axes."""
     text = _IN_INDEX.sub(r"\1(\2, \3)", _NUMBER.sub(r"\1", text))
-    kept, depth = [], 0
-    for letter in _INDEX_OF_AXIS.sub(r"(\1,", text):
-        depth += STEPS.get(letter, 0)
-        kept.append(" " if not depth and letter in _BETWEEN else letter)
-    return "".join(kept)
+    text = _INDEX_OF_AXIS.sub(r"(\1,", text)
+    return "".join(
+        " " if not depth and letter in _BETWEEN else letter for letter, depth in zip(text, depths(text), strict=True)
+    )
 
 
 def _spelled(chain: Chain, exercise: Exercise) -> str:

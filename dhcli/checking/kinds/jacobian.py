@@ -92,7 +92,7 @@ class JacobianQuestion(ColumnsQuestion):
     def describe(self, exercise: Exercise) -> str:
         rows = ", ".join(self.form.labels)
         named = f"the {self.twist} Jacobian" if self.twist else "the Jacobian"
-        whole = f"{named} {self.motion.where}, rows {rows}"
+        whole = f"{named} {self.motion.where(exercise)}, rows {rows}"
         if self.row:
             return f"entry ({self.row},{self.column}) of {whole}"
         if self.column:
@@ -107,10 +107,8 @@ class JacobianQuestion(ColumnsQuestion):
         said = f"{unit} is no unit of a Jacobian: its columns of joints that turn hold lengths, those of slides numbers"
         return replace(mark, remarks=(*mark.remarks, f"{said}; times the rates of the joints it gives {unit}"))
 
-    def numbers_named(self, case: Case) -> Naming:
-        if self.column:
-            return () if self.row else self.form.labels
-        return self.motion.joints(case.exercise.robot) if len(self.form.labels) == 1 else ()
+    def numbers_named(self, _case: Case) -> Naming:
+        return () if self.row else self.form.labels
 
     def columns(self, case: Case) -> Columns:
         robot, view = self.motion.check(case.exercise.robot, self.twist)

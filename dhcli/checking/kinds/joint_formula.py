@@ -13,7 +13,7 @@ from dhcli.checking.other_unit import refuse_right_in
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving import covering
-from dhcli.checking.solving.covering import Asked
+from dhcli.checking.solving.covering import Asked, Outcome
 from dhcli.checking.solving.derived import (
     derivation_of,
     moving_joints,
@@ -25,6 +25,7 @@ from dhcli.checking.solving.goal import Target, of_robot
 from dhcli.checking.solving.told import told
 from dhcli.checking.solving.typed import exprs_of, formula_of, typed_text, values_of
 from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import NotationError, Place, Problem, RobotError, UnknownNameError
 from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.derivation import Derivation
@@ -45,6 +46,9 @@ FIRST = 3
 """Solutions at which a formula is looked at before it is tried at all of them."""
 EARNED_TOO_MUCH = 0.5
 """What a formula earns that has every value, and others besides."""
+
+_OF_ALL = ("joint values", "joint torques")
+"""How a question about all joints begins that is asked otherwise."""
 
 
 @frozen
@@ -70,6 +74,8 @@ class JointFormulaQuestion(Question[Formula]):
     def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
         """`angle theta2 of position`."""
         match = _ASKED.fullmatch(text.strip())
+        if match is None and text.startswith(_OF_ALL):
+            raise NotAskedError(text)
         if match is None:
             message = f"'{text.strip():.60}' asks for no joint"
             raise NotationError(Problem(message, place, "write angle theta2 of position, or of pose"))
@@ -163,19 +169,26 @@ class JointFormulaQuestion(Question[Formula]):
     def _more_slips(self, case: Case, formula: Formula) -> tuple[Slip, ...]:
         """A slip in the functions or the terms of a formula, of which there are too many to have them all ready."""
         from dhcli.checking.solving.formula_slips import slips_in_terms
-        from dhcli.checking.solving.mended import mended_functions, mended_terms
+        from dhcli.checking.solving.mended import mended_functions, mended_terms, mended_zero
 
         derivation, cases = self._derivation(case), self._cases(case)
         robot = derivation.robot
 
+        def outcomes(other: Formula) -> Iterator[Outcome]:
+            """At a few solutions first, at which most are seen to be wrong."""
+            return (covering.tried(other, those, self._asked, robot) for those in (cases[:FIRST], cases))
+
         def is_right(other: Formula) -> bool:
-            some = (cases[:FIRST], cases)  # most are seen to be wrong at the first of them
-            return all(covering.tried(other, tuple(those), self._asked, robot).is_right for those in some)
+            return all(outcome.is_right for outcome in outcomes(other))
+
+        def is_sound(other: Formula) -> bool:
+            return all(outcome.is_sound for outcome in outcomes(other))
 
         return (
             mended_functions(formula, self._name, is_right)
             or slips_in_terms(formula, formula_of(derivation, self.joints), robot, self._asked, cases)
             or mended_terms(formula, self._name, robot.writing, is_right)
+            or (mended_zero(formula, self._name, is_sound) if self.turns else ())
         )
 
     # --- Its parts -------------------------------------------------------------------------------------------------

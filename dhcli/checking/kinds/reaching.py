@@ -25,11 +25,12 @@ from dhcli.regex import regex
 _LIMITS = regex(r"(?:within\s+limits)?")
 MOST_TYPED = 10_000
 WORDS = {
-    **dict.fromkeys(("yes", "y", "true", "reached", "reachable"), True),
-    **dict.fromkeys(("no", "n", "false", "unreachable", "not reached", "not reachable"), False),
+    **dict.fromkeys(("yes", "y", "yep", "yeah", "true", "reached", "reachable"), True),
+    **dict.fromkeys(("no", "n", "nope", "false", "unreachable", "not reached", "not reachable"), False),
 }
 _COUNTED = ("solution", "way", "posture", "branch")
-_BOTH = regex(r"\s*(?:yes|no)\s*(?:and|or|/)\s*(?:yes|no)\b.*", re.DOTALL | re.IGNORECASE)
+_PLAIN = regex(r"\b(?:yes|yep|yeah|nope|true|false|y|n|no(?!t?\s+(?:problem|doubt|matter)))\b", re.IGNORECASE)
+"""Words of which one answer has those of one side only."""
 _WORD = regex(r"\s*(?:it(?:'s| is) )?(?P<word>not reach(?:ed|able)|[a-z]+)\b.*", re.DOTALL | re.IGNORECASE)
 
 
@@ -107,6 +108,7 @@ class SolutionsQuestion(GoalQuestion[int], AlternativesQuestion[int]):
             Slip("limits", "the limits of the joints were not looked at", "look at the limits"): (
                 len(found) if self.within_limits else int(found.within_limits.sum())
             ),
+            Slip("counted-twice", "each solution is counted twice", "are two of them the same?"): 2 * right or -1,
             Slip("not-reached", "the pose is out of reach: there is no solution", "how far do the links reach?"): (
                 2 if right == 0 else -1
             ),
@@ -156,9 +158,7 @@ class ReachQuestion(GoalQuestion[bool]):
         yield Shown(self._why(case))
 
     def read(self, _case: Case, text: str, _place: Place | None = None) -> bool:
-        text = without_label(text)
-        match = None if _BOTH.fullmatch(text) else _WORD.fullmatch(text)
-        word = match["word"].lower() if match else ""
+        word = _word(text) or _word(without_label(text))
         if word not in WORDS:
             raise UnreadableError("write yes or no; a reason may stand behind it")
         return WORDS[word]
@@ -179,3 +179,11 @@ class ReachQuestion(GoalQuestion[bool]):
         if self.within_limits and not found.within_limits.any():
             return "it is reached, but each solution has a joint outside its limits"
         return f"it is reached in {plural(len(found), 'way')}"
+
+
+def _word(text: str) -> str:
+    """The word of an answer that is yes or no; empty where it begins with another one, or has both of them."""
+    match = _WORD.fullmatch(text)
+    word = match["word"].lower() if match else ""
+    said = {WORDS[one.lower()] for one in _PLAIN.findall(text)}
+    return word if word in WORDS and len(said) < 2 else ""  # noqa: PLR2004

@@ -123,7 +123,7 @@ class MotionQuestion(Question[Entries]):
         return ()
 
     def numbers_named(self, _case: Case) -> Naming:
-        """What each number is called, where the answer is a list."""
+        """What the rows are called, those of a list or of a Jacobian."""
         return ()
 
     def mark(self, case: Case, reading: Reading[Entries]) -> Mark:

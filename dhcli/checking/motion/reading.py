@@ -11,7 +11,7 @@ from dhcli.checking.blanks import refuse_one_expression
 from dhcli.checking.entries import Entries, Entry, check_names, count_remark
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.lists import flat, in_square_brackets
-from dhcli.checking.named import Naming, in_order
+from dhcli.checking.named import Naming, in_one, in_order, in_rows
 from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, refuse_long, without_label, without_words
 from dhcli.checking.units import has_length_unit, length_in_metres
 from dhcli.checking.vectors import LENGTHS, as_column, column_of_rows
@@ -35,6 +35,9 @@ _FORCE = regex(r"(?<=[\d.) ])(?P<prefix>[km]?)N(?: ?[·⋅*.]? ?(?P<arm>mm|cm|m)
 """Units of rates and forces, which no formula has."""
 _PREFIXES = {"": Fraction(1), "k": Fraction(1000), "m": Fraction(1, 1000)}
 
+SIX = 6
+"""Rows of a whole column of a Jacobian, v and ω."""
+
 SPEED, TURNING, TORQUE, FORCE = "m/s", "rad/s", "N m", "N"
 """The units that an entry of such an answer may have, as they are told."""
 
@@ -53,7 +56,7 @@ def read_cells(
         exercise: The exercise, for its names and the unit of its sheet.
         powers: For each entry of the right answer the power of a length that it is.
         units: For each entry of a list its unit of rate or force, where a list of these is asked for.
-        names: What the entries of a list are called.
+        names: What the rows are called, those of a list or of a Jacobian.
         text: What was typed.
         place: Where it stands, for errors.
 
@@ -62,11 +65,11 @@ def read_cells(
     """
     refuse_long(text)
     shape = len(powers), len(powers[0])
-    namings = (
-        names,
-        tuple(str(k + 1) for k in range(len(names))),
-    )  # of the entries of a column the second gives the rows
-    body = in_order(text, namings, exercise.scope)
+    rows = tuple(str(k + 1) for k in range(len(names)))  # by which the entries of a list may be called, too
+    halves = tuple(dict.fromkeys(name[0] for name in names)) if len(names) == SIX else ()  # v = (...), ω = (...)
+    body = in_one(text, halves, exercise.scope)
+    is_list = shape[1] == 1
+    body = in_order(body, (names, rows), exercise.scope) if is_list else in_rows(body, shape, exercise.scope)
     body = without_words(body, exercise.scope) if shape != (1, 1) else body
     body = without_label(as_matrix(body, shape), shape)
     _check_units(body, units, exercise)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from itertools import combinations
 
 from dhcli.checking.diagnosis.by_entry import slip_in
@@ -16,7 +17,7 @@ from dhcli.checking.diagnosis.terms import shown
 from dhcli.checking.solving.formulas import Formula
 from dhcli.checking.solving.in_step import COSINE, ORDINALS, SINE, SWAPPED, Arctangent, angle_sign, exchanged, negated
 from dhcli.notation.styles import Joints
-from dhcli.notation.tree import Call, Expr, Power, Sum, add, negate
+from dhcli.notation.tree import PI, Call, Expr, Power, Sum, add, multiply, negate, number
 from dhcli.notation.walk import put_for, walk
 
 LONGEST = 20
@@ -43,6 +44,11 @@ def mended_functions(formula: Formula, name: str, is_right: Test) -> tuple[Slip,
 def mended_terms(formula: Formula, name: str, writing: Joints, is_right: Test) -> tuple[Slip, ...]:
     """The sign of a term of a formula, if it is right with the other one."""
     return _first(_in_sums(formula, name, writing), is_right)
+
+
+def mended_zero(formula: Formula, name: str, is_sound: Test) -> tuple[Slip, ...]:
+    """From where an angle is counted, if all that a formula gives solves once it is counted from elsewhere."""
+    return _first(_counted_from_elsewhere(formula, name), is_sound)
 
 
 def mended(formula: Formula, name: str, writing: Joints) -> Iterator[tuple[Slip, Formula]]:
@@ -76,6 +82,14 @@ def _in_functions(formula: Formula, name: str) -> Iterator[tuple[Slip, Formula]]
             )
             exchange = _changed(formula, function, k, lambda call, other=other: Call(other, call.arguments))  # type: ignore[misc]
             yield Slip(f"function-other {name} {function}", text, hint), exchange
+
+
+def _counted_from_elsewhere(formula: Formula, name: str) -> Iterator[tuple[Slip, Formula]]:
+    for quarters in (1, -1, 2):
+        off = f"{'-' if quarters > 0 else ''}{90 * abs(quarters)}°" if abs(quarters) == 1 else "180°"
+        slip = Slip(f"zero-off {name} {off}", f"{name} is off by {off}", f"from which direction is {name} counted?")
+        angle = multiply(number(Fraction(quarters, 2)), PI)
+        yield slip, _with_values(formula, lambda value, angle=angle: add(value, angle))  # type: ignore[misc]
 
 
 def _in_sums(formula: Formula, name: str, writing: Joints) -> Iterator[tuple[Slip, Formula]]:

@@ -131,6 +131,7 @@ def _in_work(question: WantedJoints, case: Case, field: Range) -> Iterator[tuple
     """Slips on the way from the pose to the joint values."""
     yield from _of_formulas(question, case, field)
     yield from _absolute(field)
+    yield from _turned_round(field)
     yield from _out_of_order(field)
     wanted = question.wanted(case)
     others = [q for k, q in enumerate(field.solutions) if k not in wanted]
@@ -152,6 +153,15 @@ def _absolute(field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
                 words = f"{name} is counted from where {before} is, not from the link before"
                 slip = Slip(f"absolute-angle {name}", words, f"from which direction is {name} counted?")
                 yield slip, [(*q[:j], q[i] + q[j], *q[j + 1 :]) for q in field.solutions]
+
+
+def _turned_round(field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
+    """One joint with the other sign, or all of them."""
+    for k, name in enumerate(field.joints):
+        slip = Slip(f"joint-sign {name}", f"the sign of {name} is turned round", f"which way is {name} positive?")
+        yield slip, [(*q[:k], -q[k], *q[k + 1 :]) for q in field.solutions]
+    slip = Slip("joint-signs", "the signs of all joints are turned round", "which way are the joints positive?")
+    yield slip, [tuple(-one for one in q) for q in field.solutions]
 
 
 def _out_of_order(field: Range) -> Iterator[tuple[Slip, list[Joints]]]:

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, column_of
+from dhcli.notation.brackets import STEPS
 from dhcli.notation.cells import matching
 from dhcli.notation.names import canonical
 from dhcli.notation.quantity import LENGTH_UNITS, UNITS, Bare
@@ -22,11 +23,11 @@ _FILLING = frozenset(("i", "j", "n", "link", "joint", "no", "nr", "row", "type",
 _NUMBERING = frozenset(("link", "joint", "row"))
 _KINDS = frozenset(("revolute", "prismatic", "fixed"))
 _RULES = frozenset(("hline", "toprule", "midrule", "bottomrule"))
-_OPENING, _CLOSING = frozenset("[({"), frozenset("])}")
 _BREAKS = frozenset(",&|;]}(")
 _NUMBER_SIGN = regex(r"^([^\S\n]{0,40}\|?[^\S\n]{0,40})#(?=[^\S\n]{0,40}[|,&\s])")
 _BULLET = regex(r"^([^\S\n]{0,40})-(?=[^\S\n]{1,40}[\[{])", re.MULTILINE)
 _ROW_NAME = regex(r"^\s{0,40}(?:(?:link|joint|row)\s{0,9})?(?:\d{1,2}\s{0,9}[:.)])?\s{0,9}(?=\S)", re.IGNORECASE)
+_CALL = regex(r"\s{0,40}[A-Za-z_]\w{0,30}\((?P<inside>[^()]{0,400}(?:\([^()]{0,99}\)[^()]{0,400}){0,4})\)[,;]?\s{0,40}")
 _NUMBERED = regex(
     r"^[^\S\n]{0,40}(?:(?:link|joint|row)[^\S\n]{0,9})?\d{1,2}[^\S\n]{0,9}(?:[:)]|\.(?=(?:[^,\n]{0,99},){3}))(?=[^\S\n]|[^\W\d])",
     re.IGNORECASE | re.MULTILINE,
@@ -56,10 +57,16 @@ class Heads:
 
 
 def keyed_rows(text: str) -> str:
-    """Rows whose cells have names, `Joint 1: θ = θ1, d = 0, a = a1, α = 0`, as those in braces; all, or none."""
+    """Rows whose cells have names, `Joint 1: θ = θ1, d = 0, a = a1, α = 0`, as those in braces; all, or none.
+
+    They may stand in one line with semicolons between them, and in the brackets of a class, `DHLink(a=a1, ...)`.
+    """
     rows = []
-    for line in text.splitlines():
-        cells = [cell.partition("=") for cell in re.split(r"[,;]", _ROW_NAME.sub("", line)) if cell.strip()]
+    lines = text.splitlines()
+    for line in lines if len(lines) > 1 else text.split(";"):
+        inside = _CALL.fullmatch(_ROW_NAME.sub("", line))
+        bare = inside["inside"] if inside else _ROW_NAME.sub("", line)
+        cells = [cell.partition("=") for cell in re.split(r"[,;]", bare) if cell.strip()]
         names = [column_of(name.strip())[0] for name, _, _ in cells]
         if cells and (sorted(names) != sorted(COLUMNS) or not all(value.strip() for _, _, value in cells)):
             return text
@@ -152,7 +159,7 @@ def _opens_key(tokens: Sequence[Token], index: int) -> bool:
 def without_heads(tokens: list[Token], known: Heads) -> tuple[list[Token], Heads]:
     """The tokens without a first row that names the columns, and what that row says."""
     start = next((i for i, t in enumerate(tokens) if t.kind == "word" and _column(t.text)), len(tokens))
-    while start and tokens[start - 1].text.lower() in _FILLING - _OPENING - _CLOSING:
+    while start and tokens[start - 1].text.lower() in _FILLING - STEPS.keys():
         start -= 1
     end = _end_of_heads(tokens, start)
     row = tokens[start:end]
@@ -176,7 +183,7 @@ def _end_of_heads(tokens: list[Token], start: int) -> int:
     depth = 0
     for index in range(start, len(tokens)):
         token = tokens[index]
-        depth += (token.text in _OPENING) - (token.text in _CLOSING)
+        depth += STEPS.get(token.text, 0)
         if token.kind in ("newline", "end") or depth < 0 or (token.text == ";" and depth == 0):
             return index
         if not (_column(token.text) or token.text.lower() in _FILLING):

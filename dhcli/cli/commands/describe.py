@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated, TypeAlias
 
 import typer
 
+from dhcli.cli.shell import completing
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import complete_pose
 from dhcli.cli.shell.spreading import But
 from dhcli.cli.shell.written import Written, in_formats
 from dhcli.frozen import frozen
@@ -41,20 +41,6 @@ dhcli describe fanuc-like --motors --as modified
 _NO_MOTORS = "a URDF has no motors that drive joints together: each joint has the widest range that they leave it"
 
 
-def complete_form(incomplete: str) -> list[str]:
-    """The descriptions that begin like this."""
-    from dhcli.kinematics.describe.asked import FORMS
-
-    return [form for form in (*FORMS, "urdf", "motors") if form.startswith(incomplete)]
-
-
-def complete_choice(incomplete: str) -> list[str]:
-    """The choices that begin like this."""
-    from dhcli.kinematics.describe.choices import WORDS
-
-    return [word for word in WORDS if word.startswith(incomplete)]
-
-
 @frozen
 class Wanted:
     """Which description is wanted, as it was typed."""
@@ -65,7 +51,7 @@ class Wanted:
             "--as",
             metavar="FORM",
             help="standard, modified, axes, screws, body-screws, product, urdf, or motors: what drives the joints.",
-            autocompletion=complete_form,
+            autocompletion=completing.of_module("kinematics.describe.asked", "FORMS", "urdf", "motors"),
         ),
     ] = None
     steps: Annotated[
@@ -76,7 +62,7 @@ class Wanted:
         typer.Option(
             metavar="WHAT",
             help="Where the rules leave a choice: next-d (parallel axes: the next d is 0), previous-x (a may be < 0).",
-            autocompletion=complete_choice,
+            autocompletion=completing.of_module("kinematics.describe.choices", "WORDS"),
         ),
     ] = None
     straighten: Annotated[
@@ -95,7 +81,7 @@ DrawnPose: TypeAlias = Annotated[
         "--pose",
         metavar="NAME",
         help="A named pose of the robot, in which it is drawn.",
-        autocompletion=complete_pose,
+        autocompletion=completing.of_robot("poses"),
     ),
 ]
 
@@ -176,12 +162,15 @@ def _form(wanted: Wanted, name: str) -> Form:
         DhcliError: There is no such form, or format or choices do not go with it.
     """
     from dhcli.errors import DhcliError
+    from dhcli.kinematics.conventions import TABLES
     from dhcli.kinematics.describe.asked import check_form
 
     usual = "product" if name == "urdf" else "standard"
     form = check_form(usual if wanted.form in (None, "urdf") else wanted.form, ("urdf", "motors"))
     if name == "urdf" and form != usual:
         raise DhcliError(f"--as {form} and a URDF ask for different things", "leave one of the two out")
-    if wanted.choose and form not in ("standard", "modified"):
+    if wanted.choose and form not in TABLES:
         raise DhcliError("--choose is about tables", "--as standard or --as modified")
+    if wanted.steps and form not in ("standard", "modified"):
+        raise DhcliError("--steps tells how a table is found", "--as standard or --as modified")
     return form

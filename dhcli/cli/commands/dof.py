@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from dhcli.cli.shell import completing
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.spreading import But
 from dhcli.cli.shell.written import Written, in_formats
@@ -35,14 +36,6 @@ _COUNTS = "Bare counts"
 _ROBOT = "A robot at joint values"
 
 
-def complete_linkage(incomplete: str) -> list[str]:
-    """Names of linkages and robots that begin like this; reads no file."""
-    from dhcli.files.library.entries import Kind, entries
-
-    names = (entry.name for kind in (Kind.LINKAGES, Kind.ROBOTS) for entry in entries(kind))
-    return [name for name in names if name.startswith(incomplete)]
-
-
 @frozen
 class Counted:
     """Where a linkage moves, and how many links and joints it has, as it was typed."""
@@ -66,7 +59,7 @@ def dof(
         typer.Argument(
             metavar="WHAT",
             help="A linkage or robot of the library, a YAML or URDF file, - or a pattern: 6R, loop 6R, 6-UPS.",
-            autocompletion=complete_linkage,
+            autocompletion=completing.of_library("linkages", "robots"),
         ),
     ] = None,
     *,
@@ -82,7 +75,7 @@ def dof(
 ) -> None:
     """Count the freedoms of a linkage, say whether the formula can be trusted, and find the true mobility."""
     from dhcli.errors import DhcliError
-    from dhcli.mobility.finding import analyse
+    from dhcli.mobility.finding import mobility_of
 
     if chosen.stands and not what:
         raise DhcliError("joint values are those of a robot", "dhcli dof puma560 --pose zero")
@@ -90,7 +83,7 @@ def dof(
     kind = "mobility at joint values" if chosen.stands else "mobility"
     delivery = out.delivery("dof", kind)
     tolerance = tol or 0.0
-    mobility = analyse(_meant(chosen, counted, tolerance), tolerance)
+    mobility = mobility_of(_meant(chosen, counted, tolerance), tolerance)
     if not chosen.stands:
         delivery.hand_over(kind, mobility)
         return

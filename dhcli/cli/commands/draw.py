@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from dhcli.cli.shell import completing
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.many import In, named_file
-from dhcli.cli.shell.options import AnyName, Untried, Variant, complete_pose
+from dhcli.cli.shell.options import AnyName, Untried, Variant
 from dhcli.cli.shell.spreading import But
 from dhcli.cli.shell.written import Overwrite, output_option
 from dhcli.errors import DhcliError
@@ -39,11 +40,6 @@ dhcli draw stanford-arm -o task.pdf
 LOOK = "How it looks"
 
 
-def complete_view(incomplete: str) -> list[str]:
-    """Named views."""
-    return [name for name in ("iso", "front", "side", "top") if name.startswith(incomplete)]
-
-
 @frozen
 class Motion:
     """Where a robot moves to, and what stands over it, as it was typed."""
@@ -54,7 +50,7 @@ class Motion:
             "--to",
             metavar="VALUES",
             help="Joint values or a pose to move to: a film strip, and a page that plays it.",
-            autocompletion=complete_pose,
+            autocompletion=completing.of_robot("poses"),
         ),
     ] = None
     rows: Annotated[
@@ -93,7 +89,7 @@ class Looks:
             metavar="VIEW",
             help="iso, front, side, top, or azimuth and elevation such as 30,20; by default the best.",
             rich_help_panel=LOOK,
-            autocompletion=complete_view,
+            autocompletion=completing.among("iso", "front", "side", "top"),
         ),
     ] = None
     size: Annotated[

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Jobs, complete_exercise, workers
+from dhcli.cli.shell import completing
+from dhcli.cli.shell.options import Jobs, workers
 from dhcli.cli.shell.written import Written, in_formats
 from dhcli.errors import ExitStatus
 
@@ -37,7 +38,7 @@ def grade(
     exercise: Annotated[
         str | None,
         typer.Option(
-            metavar="NAME", help="The exercise; by default each sheet says its own.", autocompletion=complete_exercise
+            metavar="NAME", help="The exercise; by default each sheet says its own.", autocompletion=completing.exercise
         ),
     ] = None,
     timeout: Annotated[str, typer.Option(metavar="TIME", help="Longest that one sheet may take.")] = "10s",

@@ -8,6 +8,8 @@ from typing import Annotated
 
 import typer
 
+from dhcli.cli.shell import completing
+
 EXAMPLES = """
 [bold]Examples[/]
 
@@ -19,17 +21,10 @@ dhcli help check
 """
 
 
-def complete_topic(incomplete: str) -> list[str]:
-    """Topics that begin like this."""
-    from dhcli.files.manual import topics
-
-    return [topic.name for topic in topics() if topic.name.startswith(incomplete)]
-
-
 def help_(
     topic: Annotated[
         str | None,
-        typer.Argument(metavar="TOPIC", help="A page or a command; without one: all.", autocompletion=complete_topic),
+        typer.Argument(metavar="TOPIC", help="A page or a command; without one: all.", autocompletion=completing.topic),
     ] = None,
 ) -> None:
     """Show a page of the manual; in a pipe it is Markdown."""

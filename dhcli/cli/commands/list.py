@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from dhcli.cli.shell import completing
 from dhcli.cli.shell.written import Written, in_formats
 
 if TYPE_CHECKING:
@@ -20,18 +21,13 @@ dhcli list robots --format json
 """
 
 
-def complete_kind(incomplete: str) -> list[str]:
-    """The kinds that begin like this."""
-    from dhcli.files.library.entries import Kind
-
-    return [kind.value for kind in Kind if kind.value.startswith(incomplete)]
-
-
 def list_(
     kind: Annotated[
         str | None,
         typer.Argument(
-            metavar="KIND", help="robots, linkages or exercises; all by default.", autocompletion=complete_kind
+            metavar="KIND",
+            help="robots, linkages or exercises; all by default.",
+            autocompletion=completing.among("robots", "linkages", "exercises"),
         ),
     ] = None,
     *,
@@ -57,6 +53,6 @@ def kinds_of(word: str | None) -> tuple[Kind, ...]:
         return tuple(Kind)
     kinds = {kind.value: kind for kind in Kind} | {kind.noun: kind for kind in Kind}
     if word not in kinds:
-        hint = did_you_mean(word, [kind.value for kind in Kind]) or "dhcli list robots, linkages or exercises"
+        hint = did_you_mean(word, [kind.value for kind in Kind])
         raise UnknownNameError(f"there is no kind of thing called {word}", hint)
     return (kinds[word],)

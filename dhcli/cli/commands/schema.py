@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from dhcli.cli.shell import completing
 from dhcli.cli.shell.written import Overwrite, output_option
 
 EXAMPLES = """
@@ -17,17 +18,14 @@ dhcli schema exercise
 """
 
 
-def complete_kind(incomplete: str) -> list[str]:
-    """The kinds that begin like this."""
-    from dhcli.files.keys.schema import KINDS
-
-    return [kind for kind in KINDS if kind.startswith(incomplete)]
-
-
 def schema(
     kind: Annotated[
         str,
-        typer.Argument(metavar="KIND", help="robot, exercise or linkage.", autocompletion=complete_kind),
+        typer.Argument(
+            metavar="KIND",
+            help="robot, exercise or linkage.",
+            autocompletion=completing.of_module("files.keys.schema", "KINDS"),
+        ),
     ],
     output: Annotated[str | None, output_option("Write to a file; - is stdout.")] = None,
     overwrite: Overwrite = False,

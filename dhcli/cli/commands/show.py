@@ -53,11 +53,18 @@ def show(
     result = _load(kind, chosen, variant)
     if draw and (kind == "exercise" or delivery.chosen(kind) != "table" or out.output is not None):
         raise DhcliError("--draw puts a picture under the table of a robot or a linkage", "dhcli draw writes files")
-    delivery.hand_over(kind, result, getattr(result, "remarks", ()))
+    delivery.hand_over(kind, result, _said(cast("Robot", result)) if kind == "robot" else ())
     if draw:
         from dhcli.cli.shell.drawn import find
 
         _draw(cast("Robot", result) if kind == "robot" else find(chosen))
+
+
+def _said(robot: Robot) -> tuple[str, ...]:
+    """What was taken for something else when a robot was read, and lengths that no arm has."""
+    from dhcli.lint.lengths import told_once
+
+    return (*robot.remarks, *told_once(robot))
 
 
 def _draw(what: Robot | Linkage) -> None:

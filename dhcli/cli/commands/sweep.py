@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from dhcli.cli.shell import completing
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import EndPoint, Jobs, complete_joint, workers
+from dhcli.cli.shell.options import EndPoint, Jobs, workers
 from dhcli.cli.shell.written import Digits, Overwrite, output_option
 from dhcli.frozen import frozen
 
@@ -52,7 +53,7 @@ class Asked:
             metavar="RANGE",
             help="Sweep a joint: 'q1=-90°..90° step 5°', 'd3=0..0.2 n 11', 'q1=-90°..90°', or q1 for all that its "
             "limits allow; repeatable. Without it all joints are swept.",
-            autocompletion=complete_joint,
+            autocompletion=completing.of_robot("variables"),
         ),
     ] = None
     point: EndPoint = None

@@ -7,7 +7,8 @@ from typing import Annotated, Literal
 
 import typer
 
-from dhcli.cli.shell.options import WHERE, RobotName, Settings, complete_frame, complete_pose
+from dhcli.cli.shell import completing
+from dhcli.cli.shell.options import WHERE, RobotName, Settings
 from dhcli.cli.shell.spreading import REQUIRED
 from dhcli.frozen import frozen
 
@@ -47,7 +48,7 @@ class Chosen:
             "--pose",
             metavar="NAME",
             help="A named pose of the robot; --q NAME=VALUE varies it.",
-            autocompletion=complete_pose,
+            autocompletion=completing.of_robot("poses"),
         ),
     ] = None
     set_: Settings = None
@@ -61,7 +62,7 @@ class Chosen:
             metavar="FRAME",
             help="Seen from this frame; by default the first.",
             rich_help_panel=WHERE,
-            autocompletion=complete_frame,
+            autocompletion=completing.of_robot("frames"),
         ),
     ] = None
     to: Annotated[
@@ -71,7 +72,7 @@ class Chosen:
             metavar="FRAME",
             help="Of this frame; by default the last.",
             rich_help_panel=WHERE,
-            autocompletion=complete_frame,
+            autocompletion=completing.of_robot("frames"),
         ),
     ] = None
     tool: Annotated[

@@ -3,27 +3,18 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
+from typing import Annotated, Any, TypeAlias
 
 import typer
 
-if TYPE_CHECKING:
-    from dhcli.kinematics.robot import Robot
-
-
-def complete_robot(incomplete: str) -> list[str]:
-    """Names of robots that begin like this; reads no file."""
-    from dhcli.files.library.entries import Kind, entries
-
-    return [entry.name for entry in entries(Kind.ROBOTS) if entry.name.startswith(incomplete)]
-
+from dhcli.cli.shell import completing
 
 RobotName: TypeAlias = Annotated[
     str,
     typer.Argument(
         metavar="ROBOT",
         help="A name of the library, a YAML or URDF file, or - for stdin.",
-        autocompletion=complete_robot,
+        autocompletion=completing.of_library("robots"),
     ),
 ]
 
@@ -33,29 +24,21 @@ AnyName: TypeAlias = Annotated[
     typer.Argument(
         metavar="NAME",
         help="A robot, a linkage or an exercise, a YAML or URDF file, or - for a robot on stdin.",
-        autocompletion=complete_robot,
+        autocompletion=completing.of_library("robots"),
     ),
 ]
-
-
-def complete_exercise(incomplete: str) -> list[str]:
-    """Names of exercises that begin like this, with their folder or without; reads no file."""
-    from dhcli.files.library.entries import Kind, entries
-
-    names = [entry.name for entry in entries(Kind.EXERCISES)]
-    return [name for name in names if name.startswith(incomplete) or name.split("/")[-1].startswith(incomplete)]
 
 
 ExerciseName: TypeAlias = Annotated[
     str,
     typer.Argument(
-        metavar="EXERCISE", help="An exercise of the library, or a YAML file.", autocompletion=complete_exercise
+        metavar="EXERCISE", help="An exercise of the library, or a YAML file.", autocompletion=completing.exercise
     ),
 ]
 ExerciseOrRobot: TypeAlias = Annotated[
     str,
     typer.Argument(
-        metavar="NAME", help="An exercise, or a robot with a question about it.", autocompletion=complete_exercise
+        metavar="NAME", help="An exercise, or a robot with a question about it.", autocompletion=completing.exercise
     ),
 ]
 Variant: TypeAlias = Annotated[
@@ -94,14 +77,6 @@ def _processors() -> int:
     return os.cpu_count() or 1
 
 
-def complete_forms(incomplete: str) -> list[str]:
-    """Ways to say a pose, behind those that are typed already."""
-    before, comma, begun = incomplete.rpartition(",")
-    from dhcli.kinematics.placement import FORMS
-
-    return [f"{before}{comma}{name}" for name in FORMS if name.startswith(begun)]
-
-
 Forms: TypeAlias = Annotated[
     list[str] | None,
     typer.Option(
@@ -109,40 +84,9 @@ Forms: TypeAlias = Annotated[
         metavar="FORM",
         help="rpy, axis-angle, quaternion, rotation-vector, position, matrix, zyz or any order of axes, fixed-xyz; "
         "repeatable, or with commas.",
-        autocompletion=complete_forms,
+        autocompletion=completing.forms,
     ),
 ]
-
-
-def complete_pose(ctx: typer.Context, incomplete: str) -> list[str]:
-    """Named poses of the robot that is typed already."""
-    robot = _robot_of(ctx)
-    return [name for name in robot.poses if name.startswith(incomplete)] if robot else []
-
-
-def complete_frame(ctx: typer.Context, incomplete: str) -> list[str]:
-    """Frames of the robot that is typed already."""
-    robot = _robot_of(ctx)
-    return [name for name in robot.frames if name.startswith(incomplete)] if robot else []
-
-
-def complete_joint(ctx: typer.Context, incomplete: str) -> list[str]:
-    """Joints of the robot that is typed already."""
-    robot = _robot_of(ctx)
-    return [name for name in robot.variables if name.startswith(incomplete)] if robot else []
-
-
-def _robot_of(ctx: typer.Context) -> Robot | None:
-    """The robot, unless it cannot be read; a shell that completes has no room for errors."""
-    from dhcli.errors import DhcliError
-    from dhcli.files.yaml.robots import load_robot
-
-    # Behind an option that still lacks its value typer leaves the arguments where they are.
-    name = ctx.params.get("robot") or next(iter(ctx.args), None)
-    try:
-        return load_robot(name) if name and name != "-" else None
-    except DhcliError:
-        return None
 
 
 Symbolic: TypeAlias = Annotated[bool, typer.Option("--symbolic", "-s", help="Keep what has no value as symbols.")]
@@ -155,7 +99,7 @@ Axes: TypeAlias = Annotated[
         metavar="FRAME",
         help="Along the axes of this frame; those of --from by default.",
         rich_help_panel=WHERE,
-        autocompletion=complete_frame,
+        autocompletion=completing.of_robot("frames"),
     ),
 ]
 EndPoint: TypeAlias = Annotated[

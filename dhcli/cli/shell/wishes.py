@@ -6,18 +6,13 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.options import complete_pose
+from dhcli.cli.shell import completing
 from dhcli.frozen import frozen
 
 POSE = "The pose"
 _WHICH = "Which solutions"
 QUESTION = "A question about a robot"
 TOLERANCE = "How near is near enough"
-
-
-def complete_task(incomplete: str) -> list[str]:
-    """What of a pose may be asked for."""
-    return [name for name in ("pose", "position", "orientation", "axis", "direction") if name.startswith(incomplete)]
 
 
 @frozen
@@ -72,7 +67,7 @@ class Goal:
             metavar="WHAT",
             help="What of it counts: pose, position, orientation, axis (position and direction of z) or direction.",
             rich_help_panel=POSE,
-            autocompletion=complete_task,
+            autocompletion=completing.among("pose", "position", "orientation", "axis", "direction"),
         ),
     ] = None
 
@@ -96,7 +91,7 @@ class Which:
             metavar="VALUES",
             help="Sort by distance from joint values or a named pose.",
             rich_help_panel=_WHICH,
-            autocompletion=complete_pose,
+            autocompletion=completing.of_robot("poses"),
         ),
     ] = None
     branch: Annotated[

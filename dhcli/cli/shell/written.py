@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 import typer
 
+from dhcli.cli.shell import completing
 from dhcli.cli.shell.spreading import But
 from dhcli.errors import joined
 from dhcli.frozen import frozen
@@ -22,12 +23,12 @@ _PANEL = "Output"
 
 def format_option(*names: str) -> Any:  # noqa: ANN401  what typer makes of an option
     """`--format` for the formats that a command has, with completion."""
-
-    def complete(incomplete: str) -> list[str]:
-        return [name for name in names if name.startswith(incomplete)]
-
     return typer.Option(
-        "--format", metavar="NAME", help=f"{joined(names, 'or')}.", rich_help_panel=_PANEL, autocompletion=complete
+        "--format",
+        metavar="NAME",
+        help=f"{joined(names, 'or')}.",
+        rich_help_panel=_PANEL,
+        autocompletion=completing.among(*names),
     )
 
 
@@ -64,11 +65,6 @@ LANGUAGES = ("python", "numpy", "c", "matlab", "julia", "javascript")
 """Languages in which a function can be written."""
 
 
-def complete_language(incomplete: str) -> list[str]:
-    """Languages that begin with what was typed."""
-    return [name for name in LANGUAGES if name.startswith(incomplete)]
-
-
 @frozen
 class Written:
     """How a person wants a result, as it was typed; `spread` makes options of a command of it.
@@ -91,7 +87,7 @@ class Written:
             metavar="LANGUAGE",
             help=f"A function that runs: {joined(LANGUAGES, 'or')}.",
             rich_help_panel=_PANEL,
-            autocompletion=complete_language,
+            autocompletion=completing.among(*LANGUAGES),
         ),
     ] = None
     with_values: Annotated[

@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterator
 
 from dhcli.frozen import frozen
+from dhcli.notation import brackets
 
-_OPENING, _CLOSING = "([{", ")]}"
 _OPERATORS = frozenset("+-*/^")
 
 
@@ -44,7 +44,7 @@ def statements(text: str) -> Iterator[Statement]:
         if not kept.strip():
             start = number
         for letter, quoted in quoting(code):
-            depth = max(0, depth + (not quoted) * ((letter in _OPENING) - (letter in _CLOSING)))
+            depth = max(0, depth + (not quoted) * brackets.STEPS.get(letter, 0))
             if letter == ";" and not quoted and not depth:
                 if kept.strip():
                     yield Statement(start, kept.strip())
@@ -84,6 +84,11 @@ def quoting(text: str) -> Iterator[tuple[str, bool]]:
         before = letter
 
 
+def _unquoted(text: str) -> str:
+    """A text with a quote in the place of each letter within quotes."""
+    return "".join("'" if quoted else letter for letter, quoted in quoting(text))
+
+
 def calls(text: str, names: re.Pattern[str]) -> Iterator[Call]:
     """The calls of some names in a text, from left to right; those inside another one after it."""
     for match in names.finditer(text):
@@ -94,24 +99,14 @@ def calls(text: str, names: re.Pattern[str]) -> Iterator[Call]:
 
 def closing(text: str, start: int) -> int:
     """Index of the bracket that closes the one at `start`; -1 if none does."""
-    depth = 0
-    for i, (letter, quoted) in enumerate(quoting(text[start:])):
-        depth += (not quoted) * ((letter in _OPENING) - (letter in _CLOSING))
-        if depth == 0 and not quoted and letter in _CLOSING:
-            return start + i
-    return -1
+    end = brackets.closing(_unquoted(text[start:]))
+    return -1 if end < 0 else start + end
 
 
 def split(text: str, signs: str = ",") -> list[str]:
     """Pieces between signs that stand outside brackets and quotes; empty ones left out."""
-    pieces, depth = [""], 0
-    for letter, quoted in quoting(text):
-        depth += (not quoted) * ((letter in _OPENING) - (letter in _CLOSING))
-        if letter in signs and not depth and not quoted:
-            pieces.append("")
-        else:
-            pieces[-1] += letter
-    return [piece.strip() for piece in pieces if piece.strip()]
+    pieces = (text[at : at + len(piece)].strip() for at, piece in brackets.split(_unquoted(text), signs))
+    return [piece for piece in pieces if piece]
 
 
 def elements(text: str) -> list[str]:

@@ -84,7 +84,7 @@ class Coordinates:
 
     def point(self, node: PlacedNode, key: str) -> Vector:
         """A point by name or by its coordinates."""
-        if not isinstance(node, PlacedScalar):
+        if not isinstance(node, PlacedScalar) or node.text.startswith("("):
             return self._coordinates(node, key)
         if node.text in self.points:
             return self.points[node.text]

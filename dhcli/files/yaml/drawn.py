@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, are, did_you_mean, plural
-from dhcli.files.keys.robots import ROBOTS
+from dhcli.files.keys.robots import ROBOTS, SIDES
 from dhcli.files.yaml.fields import Fields
 from dhcli.files.yaml.joint_values import JointValues
-from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
+from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, as_text
 from dhcli.files.yaml.robot_loader import Loader
-from dhcli.files.yaml.typed import parsed, read_value
+from dhcli.files.yaml.typed import parsed, read_value, read_word
 from dhcli.geometry.orthonormal import not_a_rotation
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, axis_called, length, scaled
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, drawing_of
@@ -28,7 +28,6 @@ from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.tree import ONE, ZERO, Expr
 from dhcli.notation.walk import symbols_in
 
-_SIDES: tuple[Side, ...] = ("space", "body")
 _OF_AXES = ("through", "slides", "pitch")
 _SIX = 6
 _LEAST = 1e-9
@@ -108,6 +107,16 @@ class DrawnLoader(Loader):
             )
             return Frame()
 
+    def row(self, node: PlacedNode, index: int, example: str) -> Fields:
+        """The fields of a row; one that is a list alone is that of the variable in its turn."""
+        what = f"{self.given}: row {index + 1}"
+        if not isinstance(node, PlacedSequence) or not index < len(self.variables):
+            return self.problems.mapping(node, what, example=example)
+        name = self.variables[index]
+        hint = f"write {{{name}: ({as_text(node)[1:-1]})}}"
+        self.problems.add(node.place, f"{what}: should be a mapping, is a list", hint)
+        return Fields(self.problems, node.place, {name: (PlacedScalar(name, node.place), node)})
+
     def axis_lines(self, nodes: tuple[PlacedNode, ...]) -> Iterator[Line]:
         """The lines of drawn axes."""
         drawn = self.fields.mapping("drawn")
@@ -120,7 +129,7 @@ class DrawnLoader(Loader):
                 value = read_value(self.problems, scalar, key, is_angle=turns)
                 self.drawn[key] = value if value is not None else Angle()
         for i, node in enumerate(nodes):
-            fields = self.problems.mapping(node, f"axes: row {i + 1}", example="{theta1: +z, through: (0, 0, 0)}")
+            fields = self.row(node, i, "{theta1: +z, through: (0, 0, 0)}")
             named = [key for key in fields.entries if key not in _OF_AXES]
             known = [key for key in named if key in self.variables]
             for key in named:
@@ -173,12 +182,10 @@ class DrawnLoader(Loader):
 
     def screw_lines(self, nodes: tuple[PlacedNode, ...], home: Frame) -> tuple[Line, ...]:
         """The lines of screws, in the base."""
-        side: Side = "body" if self.fields.text("frame", "space") == "body" else "space"
-        if (text := self.fields.text("frame", "space")) not in _SIDES:
-            self.problems.add(self.fields.place_of("frame"), f"frame: should be space or body, is '{text}'")
+        side: Side = "body" if read_word(self.fields, "frame", SIDES) == "body" else "space"
         screws = []
         for i, node in enumerate(nodes):
-            fields = self.problems.mapping(node, f"screws: row {i + 1}", example="{theta1: (0, 0, 1, 0, 0, 0)}")
+            fields = self.row(node, i, "{theta1: (0, 0, 1, 0, 0, 0)}")
             for key in fields.entries:
                 if key not in self.variables:
                     self.problems.add(
@@ -238,13 +245,17 @@ class DrawnLoader(Loader):
             pieces = [PlacedScalar(piece.strip(), node.place) for _, piece in split(inside)]
         if len(pieces) != count or isinstance(node, PlacedMapping):
             place = self.fields.place if node is None else node.place
+            meant = pieces[0].text.split() if len(pieces) == 1 else []
+            is_meant = len(meant) == count > 1
             wanted = "(0, 0, l1)" if count == 3 else "(0, 0, 1, 0, 0, 0): ω, then v"  # noqa: PLR2004
             self.problems.add(
                 place,
                 f"{key}: {plural(count, 'value')} {are(count)} wanted, not {len(pieces)}",
-                f"write {wanted}",
+                f"write ({', '.join(meant)})" if is_meant else f"write {wanted}",
             )
-            return ()
+            if not is_meant:
+                return ()
+            pieces = [PlacedScalar(text, place) for text in meant]
         found = []
         for piece in pieces:
             try:

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
 from dhcli.errors import DhcliError, FileError, Place, Problem
-from dhcli.files.yaml.cut import is_piece, tell
+from dhcli.files.yaml.cut import is_open, is_piece, is_quoting, tell
 from dhcli.files.yaml.heads import FORMAT, check_format, check_kind
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.slips import (
@@ -24,6 +24,7 @@ from dhcli.files.yaml.slips import (
 )
 from dhcli.files.yaml.unknown import OWN, hint_for, meant
 from dhcli.frozen import frozen
+from dhcli.notation.tokens import is_name
 
 LISTED = "[a, b] or lines that begin with '- '"
 
@@ -73,6 +74,16 @@ class Problems:
                 would mislead.
         """
         known = tuple(known)
+        if isinstance(root, PlacedMapping) and len(root.entries) == 1:
+            (key, below) = root.entries[0]
+            if (
+                key.text not in known
+                and isinstance(below, PlacedMapping)
+                and len({k.text for k, _ in below.entries} & {*known}) > 1
+            ):
+                message = f"{key.text}: what stands below it belongs at the top of the file"
+                self.add(key.place, message, "take this line out, and the blanks before the others")
+                root = below
         if isinstance(root, PlacedMapping):
             for key, value in root.entries:
                 if key.text == "format":
@@ -115,7 +126,7 @@ class Problems:
             listed, shown = entries_of(node) if known is None else ((), "")
             self.add(node.place, f"{what}: should be a mapping, is {node_kind(node)}", f"write {shown or example}")
             return Fields(self, node.place, {key.text: (key, value) for key, value in listed})
-        entries = self._known_entries(node, known if known is None else tuple(known), elsewhere)
+        entries = self._known_entries(node, known if known is None else tuple(known), elsewhere, tuple(required))
         means = required if isinstance(required, Mapping) else {}
         for name in required:
             if name not in entries:
@@ -123,12 +134,17 @@ class Problems:
         return Fields(self, node.place, entries)
 
     def _known_entries(
-        self, node: PlacedMapping, known: tuple[str, ...] | None, elsewhere: Mapping[str, str]
+        self,
+        node: PlacedMapping,
+        known: tuple[str, ...] | None,
+        elsewhere: Mapping[str, str],
+        required: tuple[str, ...],
     ) -> dict[str, tuple[PlacedScalar, PlacedNode]]:
         """The entries of a mapping that may stand there; all others are told."""
         entries: dict[str, tuple[PlacedScalar, PlacedNode]] = {}
         there = {key.text for key, _ in node.entries}
         owner, has_equals = "", False
+        missing = [name for name in required if name not in there]
         for key, value in node.entries:
             if known is not None and key.text.startswith(OWN):
                 continue
@@ -141,6 +157,10 @@ class Problems:
             if known is None or key.text in known:
                 owner = key.text
             elif owner and (cut := _cut_off(entries[owner][1], key)):
+                if len(missing) == 1 and is_name(key.text) and not (is_open(cut.text) or is_quoting(cut.text)):
+                    self.add(key.place, f"{key.text}: its key is missing", f"write {missing[0]}: {key.text}")
+                    entries[missing.pop()] = key, key
+                    continue
                 text = cut.with_piece(key)
                 entries[owner] = (entries[owner][0], text)
                 tell(self.found, cut.text, text.text, text.place, owner)

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from dhcli.errors import Place, did_you_mean
 from dhcli.files.yaml.fields import Fields
-from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar
+from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, as_text
 from dhcli.files.yaml.reader import Reader
 from dhcli.files.yaml.typed import has_unit_of_angle
 from dhcli.kinematics.derived import Value
@@ -15,6 +15,18 @@ from dhcli.notation.names import canonical
 
 _ANGLE, _LENGTH = "90°", "100 mm"
 """Values that hints show."""
+
+
+def in_turn(fields: Fields, key: str, variables: Sequence[str]) -> Fields:
+    """The fields of a mapping by joint; a list with a list for each joint is that of the variables in their order."""
+    node = fields.get(key)
+    items = node.items if isinstance(node, PlacedSequence) else ()
+    if not items or len(items) != len(variables) or not all(isinstance(item, PlacedSequence) for item in items):
+        return fields.mapping(key, example="{theta1: [-160°, 160°]}")
+    shown = ", ".join(f"{name}: {as_text(item)}" for name, item in zip(variables, items, strict=True))
+    fields.problems.add(fields.place_of(key), f"{key}: should be a mapping, is a list", f"write {{{shown}}}")
+    entries = {name: (PlacedScalar(name, item.place), item) for name, item in zip(variables, items, strict=True)}
+    return Fields(fields.problems, items[0].place, dict(entries))
 
 
 class JointValues:

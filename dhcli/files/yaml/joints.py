@@ -7,29 +7,26 @@ from dhcli.files.keys.linkages import JOINT, LOOP, LOOP_ROW
 from dhcli.files.keys.shapes import names, required
 from dhcli.files.yaml.coordinates import Coordinates
 from dhcli.files.yaml.fields import Fields, Problems
-from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
-from dhcli.files.yaml.typed import parsed, read_flag
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row
+from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence
+from dhcli.files.yaml.typed import parsed, read_flag, read_word
+from dhcli.kinematics.conventions import COLUMNS, TABLES, Convention, Row
 from dhcli.mobility.dhloop import joints_of_loop
 from dhcli.mobility.linkage import Joint
 from dhcli.mobility.pairs import LETTERS, WORDS, LinkageError, Pair, Space, pair_of
 from dhcli.mobility.patterns import count_of, read_chain
 from dhcli.notation.angle import Angle
+from dhcli.notation.brackets import split
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.regex import regex
 
-_PLACED = regex(r"(\S+)\s+(\S+)\s+(\S+)\s+at\s*[\[(]([^\[\]()]*)[\])]")
 _ARROW = regex(r"\s-{1,9}\s|\s{0,9}(?:-{1,9}>|→)\s*|,\s")
 _SHORT = regex(
-    r"(?P<a>\S+)\s+(?P<pair>\S+)\s+(?P<b>\S+)(?:\s+at\s+(?P<point>\S+))?(?:\s+(?:about|along)\s+(?P<axis>\S.*))?"
+    r"(?P<a>\S+)\s+(?P<pair>\S+)\s+(?P<b>\S+)(?:\s+at\s+(?P<point>[\[(].*?[\])]|\S+))?(?:\s+(?:about|along)\s+(?P<axis>\S.*))?"
 )
 
 
 def _hint_for_short(text: str) -> str:
-    """What to write for a joint on one line that is not read: without arrows, and with its point under a name."""
-    if placed := _PLACED.fullmatch(text.strip()):
-        a, pair, b, point = placed.groups()
-        return f"write {{type: {pair}, links: [{a}, {b}], point: [{point}]}}, or name the point under points:"
+    """What to write for a joint on one line that is not read: without arrows, and with the joint between its links."""
     plain = " ".join(_ARROW.sub(" ", text).split())
     if _has_other_order(plain):
         pair, a, *rest = plain.split()
@@ -43,6 +40,18 @@ def _has_other_order(text: str) -> bool:
     """Whether the joint stands before both links, `R ground crank`, or commas between them."""
     first, second = [*text.split(), "", ""][:2]
     return first.endswith(",") or (first in LETTERS and second not in LETTERS and second.lower() not in WORDS)
+
+
+def _part(line: PlacedScalar, start: int, end: int) -> PlacedNode:
+    """A part of a joint on one line, as YAML would give it by itself: a list where it stands in square brackets."""
+    part = PlacedScalar(line.text[start:end], line.place)
+    if not (part.text.startswith("[") and part.text.endswith("]")):
+        return part
+    pieces = ((start + 1 + at, piece) for at, piece in split(part.text[1:-1]))
+    return PlacedSequence(
+        tuple(PlacedScalar(text.strip(), line.place_of(at + len(text) - len(text.lstrip()))) for at, text in pieces),
+        line.place,
+    )
 
 
 class JointReader:
@@ -85,12 +94,12 @@ class JointReader:
         return found
 
     def short(self, scalar: PlacedScalar, number: str) -> Joint:
-        """`ground R crank at A`, `ground P slider along x`."""
-        match = _SHORT.fullmatch(scalar.text.strip())
+        """`ground R crank at A`, `ground P slider along x`, `ground R crank at [0, 0, 1] about [1, 0, 1]`."""
+        match = _SHORT.fullmatch(scalar.text)
         if match is None or _has_other_order(scalar.text):
             self.problems.add(scalar.place, f"'{scalar.text}' is not read as a joint", _hint_for_short(scalar.text))
             return Joint(LETTERS["R"], ("ground", number), number)
-        point, axis = (match[key] and PlacedScalar(match[key], scalar.place) for key in ("point", "axis"))
+        point, axis = (match[key] and _part(scalar, *match.span(key)) for key in ("point", "axis"))
         pair = self.pair(match["pair"], scalar.place)
         return Joint(
             pair,
@@ -204,16 +213,12 @@ class JointReader:
     def loop(self) -> list[Joint]:
         """A closed loop of DH rows."""
         fields = self.fields.mapping("loop", known=names(LOOP), required=required(LOOP))
-        word = fields.text("convention")
-        if word not in (Convention.STANDARD, Convention.MODIFIED):
-            self.problems.add(
-                fields.place_of("convention"), f"convention: '{word}' is not known", "standard or modified"
-            )
+        word = read_word(fields, "convention", TABLES)
         rows = [self.row(node) for node in fields.sequence("rows")]
         self.problems.raise_if_any()
         self.places = [node.place for node in fields.sequence("rows")]
         try:
-            return list(joints_of_loop(rows, Convention(word), self.numbers.values, self.tolerance))
+            return list(joints_of_loop(rows, Convention(word or "standard"), self.numbers.values, self.tolerance))
         except LinkageError as error:
             self.add_at(fields.place_of("rows"), error, "loop")
             return []

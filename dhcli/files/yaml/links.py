@@ -19,6 +19,11 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr
 
 ANGLES = ("alpha", "theta", "beta")
+_ELSEWHERE = {
+    "offset": "add it in its cell: theta: theta1 + 90°",
+    **dict.fromkeys(("type", "kind", "joint", "sigma"), "a joint turns by a variable in theta, and slides by one in d"),
+}
+"""What to say of columns of other programs."""
 _ROW = "{a: a1, alpha: 90°, d: 0, theta: theta1}"
 
 
@@ -85,7 +90,7 @@ class Links:
             if not meant.entries:
                 return Link(number, ())
             node = meant
-        fields = problems.mapping(node, "links", known=(*COLUMNS, "beta"), required=required(ROW))
+        fields = problems.mapping(node, "links", known=(*COLUMNS, "beta"), required=required(ROW), elsewhere=_ELSEWHERE)
         if len(fields.entries) == len(COLUMNS) and index == 0:
             self.columns = tuple(fields.entries)
         cells = {column: self._cell(fields, column, index) for column in COLUMNS}

@@ -6,18 +6,18 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
-from dhcli.errors import FileError, Place, Problem, did_you_mean
+from dhcli.errors import FileError, Place, Problem
 from dhcli.files.keys.robots import TABLE, UNITS
 from dhcli.files.keys.shapes import Key, required
 from dhcli.files.keys.shapes import names as names_of
 from dhcli.files.yaml.drives import read_drives
 from dhcli.files.yaml.fields import Problems
-from dhcli.files.yaml.joint_values import JointValues
+from dhcli.files.yaml.joint_values import JointValues, in_turn
 from dhcli.files.yaml.links import Links
 from dhcli.files.yaml.parameters import Parameters
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.reader import Reader
-from dhcli.files.yaml.typed import read_flag, read_moves, read_whole
+from dhcli.files.yaml.typed import read_flag, read_moves, read_whole, read_word
 from dhcli.kinematics.description import Description
 from dhcli.kinematics.moves import Chain, every_angle, names
 from dhcli.kinematics.robot import Link, Robot, Value
@@ -26,6 +26,7 @@ from dhcli.notation.names import canonical
 from dhcli.notation.scope import Scope
 
 _POSES = "{home: [0, 90°, 100 mm]}"
+_BY_ROW = "whether it turns or slides is said by the row in which it stands"
 MOVING = ("links", "axes", "screws", "end", "home", "base", "tool", "tools")
 """Keys under which names of parameters are used."""
 
@@ -54,7 +55,9 @@ class Loader:
         known = (*self.variables, *self.parameters.entries)
         self.scope = Scope(lengths=known, is_open="variables" not in self.fields)
         keeps_digits = "exact" in self.fields and not read_flag(self.fields, "exact")
-        self.reader = Reader(self.problems, self.scope, None if keeps_digits else [], self.read_unit())
+        self.reader = Reader(
+            self.problems, self.scope, None if keeps_digits else [], read_word(self.fields, "units", UNITS)
+        )
         self.links = Links(self.fields, self.reader, self.places, self.variables)
         self.clear: frozenset[str] = frozenset()
         self.doubtful: frozenset[str] = frozenset()
@@ -114,7 +117,7 @@ class Loader:
             "tool": tool,
             "tools": tools,
             "first": first,
-            "limits": values.limits(self.fields.mapping("limits", example="{theta1: [-160°, 160°]}")),
+            "limits": values.limits(in_turn(self.fields, "limits", self.variables)),
             "poses": self.read_poses(values),
             "called": values.called(self.fields.mapping("called", example="{theta1: shoulder_pan_joint}")),
             "columns": self.links.columns,
@@ -152,15 +155,6 @@ class Loader:
             found[key] = () if scalar is None else self.reader.moves(scalar)
         return found
 
-    def read_unit(self) -> str:
-        """The unit of bare lengths, empty for metres."""
-        scalar = self.fields.scalar("units")
-        if scalar is None or scalar.text in UNITS:
-            return "" if scalar is None else scalar.text
-        hint = did_you_mean(scalar.text, UNITS) or ", ".join(UNITS)
-        self.problems.add(scalar.place, f"units: {scalar.text!r:.60} is no unit of length", hint)
-        return ""
-
     def read_first(self) -> int:
         """The number of the first link."""
         scalar = self.fields.scalar("first")
@@ -175,8 +169,11 @@ class Loader:
         """The names in a list, their places kept."""
         for i, node in enumerate(nodes):
             self.places[section, i] = node.place
-            scalar = self.problems.scalar(node, section)
-            if scalar is not None:
+            if isinstance(node, PlacedMapping) and len(node.entries) == 1:
+                name = node.entries[0][0]
+                self.problems.add(node.place, f"{section}: a name stands alone", f"write {name.text}; {_BY_ROW}")
+                yield name.text
+            elif (scalar := self.problems.scalar(node, section)) is not None:
                 yield scalar.text
 
     def chain(self, key: str) -> Chain:

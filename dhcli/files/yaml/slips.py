@@ -7,19 +7,22 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from itertools import accumulate, pairwise
+from itertools import pairwise
 from typing import TypeAlias
 
 from dhcli.files.yaml.cut import is_piece
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.kinematics.conventions import COLUMNS
-from dhcli.notation.brackets import OPENING, STEPS, split
+from dhcli.notation.brackets import OPENING, closing, split
 from dhcli.regex import regex
 from dhcli.safe import yaml_scalar
 
 _WORD = regex(r"[^\s]+")
-_PAIR = regex(r"±\s*(?P<both>[^-+±,]+)|(?P<low>[^,]{1,99}?)\s{0,9}(?:\.\.{1,9}|…| to )\s{0,9}(?P<high>[^,]{1,99})")
+_PAIR = regex(
+    r"±\s*(?P<both>[^-+±,]+)|(?P<low>[^,]{1,99}?)\s{0,9}(?:\.\.{1,9}|…|~| to | [-–] )\s{0,9}(?P<high>[^,]{1,99})"  # noqa: RUF001
+)
 """Two ends of a range, `±170°` or `-90°..90°`."""
+_LOW, _HIGH = ("lower", "low", "min", "from"), ("upper", "high", "max", "to")
 _WHOLE = regex(r"[-+]?[0-9]+")
 Entry: TypeAlias = tuple[PlacedScalar, PlacedNode]
 
@@ -39,8 +42,7 @@ def hint_for_brackets(node: PlacedNode) -> str:
     text = node.place.text[(node.place.column or 1) - 1 :]
     if text[:1] not in OPENING:
         return "write one line, or several behind |"
-    depths = accumulate(STEPS.get(letter, 0) for letter in text)
-    end = next((k for k, depth in enumerate(depths, 1) if not depth), 0)
+    end = closing(text) + 1
     shown = f": {yaml_scalar(text[:end])}" if end else ""
     return f"text that begins with a bracket needs quotes{shown}"
 
@@ -82,6 +84,10 @@ def items_of(node: PlacedNode, count: int = 0, *, are_names: bool = False) -> tu
     Returns:
         Nothing where it is no text of one line. A sentence with commas is one item.
     """
+    if isinstance(node, PlacedMapping) and count == 2:  # noqa: PLR2004  lowest and highest
+        ends_by = {key.text: value for key, value in node.entries if isinstance(value, PlacedScalar)}
+        pair_of = tuple(ends_by[key] for keys in (_LOW, _HIGH) for key in keys if key in ends_by)
+        return (pair_of, _shown((end.text for end in pair_of), "[]")) if len(pair_of) == count else ((), "")
     if not isinstance(node, PlacedScalar) or not node.text.strip() or "\n" in node.text:
         return (), ""
     if count == 2 and (pair := _PAIR.fullmatch(node.text.strip())):  # noqa: PLR2004  lowest and highest

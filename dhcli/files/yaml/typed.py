@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from dhcli.errors import NotationError, Problem
+from collections.abc import Collection
+
+from dhcli.errors import NotationError, Problem, did_you_mean
 from dhcli.files.keys.shapes import FLAGS
 from dhcli.files.yaml.fields import Fields, Problems
-from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence, as_text
+from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, as_text
 from dhcli.files.yaml.slips import node_kind
 from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES
@@ -21,6 +23,7 @@ _OTHER_UNIT = regex(r".*[\d)]\s*(?P<unit>(?:[cm]?m|rad|°|deg)\s*/\s*s|k?N\s*[*�
 """A number in a unit of something else."""
 _A_TURN = regex(r"(.*[\d.)]\s*[cm]?m)\s*(?:/|per)\s*(?:rev|turn|revolution|U)\.?")
 _MOVING = "velocities, rates and forces are numbers in ask:, in m/s, rad/s, N and N m"
+_RPY = ("roll", "pitch", "yaw")
 _MOVES = "Trans(0, 0, 0.1) Rot(z, 90°)"
 NOTHING = Scope()
 """A scope without names, for values that must be constants."""
@@ -92,9 +95,21 @@ def read_moves(problems: Problems, node: PlacedNode, key: str) -> PlacedScalar |
         items = (PlacedSequence(problems.sequence(item, key, count=least), item.place) for item in node.items)
         return PlacedScalar(as_text(PlacedSequence(tuple(items), node.place)), node.place)
     shift = _texts(node)
-    hint = f"write Trans({', '.join(shift)})" if len(shift) == len(AXES) else f"write {_MOVES}"
-    problems.add(node.place, f"{key}: should be moves, is {node_kind(node)}", hint)
+    shown = f"Trans({', '.join(shift)})" if len(shift) == len(AXES) else _as_moves(node) or _MOVES
+    problems.add(node.place, f"{key}: should be moves, is {node_kind(node)}", f"write {shown}")
     return None
+
+
+def _as_moves(node: PlacedNode) -> str:
+    """The moves of a mapping such as `{x: 0.1, z: 0.2, yaw: 90°}`; empty where it is none."""
+    entries = node.entries if isinstance(node, PlacedMapping) else ()
+    texts = {key.text: value.text or "0" for key, value in entries if isinstance(value, PlacedScalar)}
+    if not entries or len(texts) < len(entries) or texts.keys() - {*AXES, *_RPY}:
+        return ""
+    moves = (("Trans", AXES), ("rpy", _RPY))
+    return " ".join(
+        f"{name}({', '.join(texts.get(key, '0') for key in keys)})" for name, keys in moves if texts.keys() & {*keys}
+    )
 
 
 def _texts(node: PlacedNode) -> list[str]:
@@ -155,6 +170,16 @@ def read_flag(fields: Fields, key: str) -> bool:
         message = f"{key}: should be true or false, is '{scalar.text}'"
         fields.problems.add(scalar.place, message, f"write {key}: true, or leave it out")
     return FLAGS.get(word, False)
+
+
+def read_word(fields: Fields, key: str, words: Collection[str], hint: str = "") -> str:
+    """One of some words; empty if it is not there, or none of them, which is told. The hint says what to write."""
+    scalar = fields.scalar(key)
+    if scalar is None or scalar.text in words:
+        return "" if scalar is None else scalar.text
+    hint = hint or did_you_mean(scalar.text, words)
+    fields.problems.add(scalar.place, f"{key}: '{scalar.text:.60}' is not known", hint)
+    return ""
 
 
 def read_texts(fields: Fields, key: str) -> tuple[str, ...]:

@@ -42,6 +42,8 @@ OTHER_WORDS = {
     "about": "axis",
     "direction": "axis",
     "kind": "type",
+    "r": "a",
+    "s": "d",
 }
 """What an author may call a key, where no key of this name stands in the same mapping."""
 

@@ -3,6 +3,7 @@ import pytest
 from dhcli import check, load_exercise
 from dhcli.checking.diagnosis.chance import Evidence, is_chance
 from dhcli.checking.verdicts import Verdict, too_few
+from tests.row_by_row import row_by_row
 
 SHEET = load_exercise("puma560-at-work-in-mm")
 ELBOW = load_exercise("three-r-arm-tip-in-numbers")
@@ -65,3 +66,23 @@ def test_chance_counts_the_candidates_that_the_digits_leave_open() -> None:
     assert not met(0.0001)
     assert met(0.0001, "pairs")
     assert not met(0.00001, "pairs")
+
+
+@row_by_row(
+    ("part", "answer"),
+    [
+        ("tool", "0.0435, 0.399, 0.55"),
+        ("tool", "0.0435154, 0.398955, 0.55"),
+        ("t03", "0.766 -0.643 0 0.0435; 0.643 0.766 0 0.399; 0 0 1 0.55; 0 0 0 1"),
+    ],
+)
+def test_a_number_without_its_last_zeros_is_as_sharp_as_the_others(part: str, answer: str) -> None:
+    """0.55 beside 0.399 is 0.550, and not 0.546: it is the height with the other sign of d3."""
+    found = check(load_exercise("bajd/scara-pose-in-m"), part, answer).diagnosis
+    assert found is not None
+    assert found.ids == ("shift-sign 3.2 z",)
+
+
+def test_a_number_as_rough_as_the_others_says_no_more_than_they_do() -> None:
+    """With two decimals throughout, any height would be met by some slip."""
+    assert check(load_exercise("bajd/scara-pose-in-m"), "tool", "0.04, 0.40, 0.55").diagnosis is None

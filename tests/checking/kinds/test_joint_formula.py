@@ -160,6 +160,9 @@ ADDED = "an angle is added in {} that has to be subtracted, or the other way rou
             SWAPPED.format("the second atan2", "theta2"),
         ),
         ("articulated", ARM, f"atan2(pz - d1, {ROOT}) + atan2(a3*s3, a2 + a3*c3)", ADDED.format("theta2")),
+        ("planar-2r", SHOULDER, "atan2(py, px) - atan2(a2*s2, a1 + a2*c2) + 90°", "theta1 is off by 90°"),
+        ("planar-2r", ELBOW, f"pi/2 ± acos({COSINE})", "theta2 is off by 90°"),
+        ("cylindrical", "angle theta1 of position", "atan2(py, px)", "theta1 is off by -90°"),
         ("articulated", ARM, f"atan2(pz + d1, {ROOT}) - atan2(a3*s3, a2 + a3*c3)", "the sign of d1 in"),
         (
             "spherical-wrist",

@@ -208,6 +208,23 @@ def test_joint_values_in_another_order_have_a_name(answer: str) -> None:
     assert mark.diagnosis.ids == ("joints-swapped theta1 theta2",)
 
 
+@row_by_row(
+    ("answer", "ask", "name"),
+    [
+        ("2.4773°, -67.9757°", PLACE, "joint-sign theta2"),
+        ("-59.4502°, -67.9757°", PLACE, "joint-sign theta1"),
+        ("-59.4502°, 67.9757°; -2.4773°, -67.9757°", f"{PLACE} all", "joint-signs"),
+        ("59.4502°, 67.9757°; 2.4773°, -67.9757°", f"{PLACE} all", "joint-sign theta2"),
+    ],
+)
+def test_a_joint_that_counts_the_other_way_has_a_name(answer: str, ask: str, name: str) -> None:
+    """In one solution or in all of them."""
+    mark = judged(answer, ask)
+    assert mark.verdict is Verdict.WRONG
+    assert mark.diagnosis is not None
+    assert name in mark.diagnosis.ids
+
+
 @pytest.mark.parametrize("answer", ["2.4773°, 70.453°", "59.4502°, -8.5175°"])
 def test_an_angle_that_is_that_of_the_link_itself_has_a_name(answer: str) -> None:
     """Theta1 + theta2 for theta2, on either branch."""

@@ -94,6 +94,8 @@ home: Trans(a1 + a2, 0, 0)
     ("old", "new", "said"),
     [
         ("through: (a, 0, 0)", "through: (a, 0)", "3 values are wanted, not 2"),
+        ("through: (a, 0, 0)", "through: a 0 0", "3 values are wanted, not 1 (write (a, 0, 0))"),
+        ("{theta2: +z, through: (a, 0, 0)}", "[0, 0, 1]", "is a list (write {theta2: (0, 0, 1)})"),
         ("theta2: +z", "theta2: (0, 0, 0)", "a direction is not zero"),
         ("theta2: +z", "theta2: (a, b, 0)", "a direction cannot depend on a, b"),
         ("{theta2: +z, through: (a, 0, 0)}", "{theta2: (a, 0, 0) to (a, 0, 0)}", "the two points of the axis are one"),
@@ -140,3 +142,14 @@ links:
     written = described_text(describe(robot, Asked("modified")))
     assert "a2: 2*a1" in written
     assert read_robot(written, "file", "x").derived == robot.derived
+
+
+def test_screws_without_names_are_those_of_the_variables_in_turn() -> None:
+    """It is told of each with its name, and nothing follows from it."""
+    rows = "screws: [[0, 0, 1, 0, 0, 0], [0, 0, 1, 0, -0.4, 0]]\nhome: Trans(0.7, 0, 0)\n"
+    with pytest.raises(FileError) as caught:
+        read_robot(f"{HEAD}convention: screws\nvariables: [q1, q2]\n{rows}", "file", "x")
+    assert str(caught.value).splitlines() == [
+        "file:6:10: screws: row 1: should be a mapping, is a list (write {q1: (0, 0, 1, 0, 0, 0)})",
+        "file:6:30: screws: row 2: should be a mapping, is a list (write {q2: (0, 0, 1, 0, -0.4, 0)})",
+    ]

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from dhcli.errors import FileError
+from dhcli.files.library.entries import Kind
+from dhcli.files.library.kinds import kind_of
 from dhcli.files.yaml.robots import read_robot
 from tests.row_by_row import row_by_row
 
@@ -23,6 +27,9 @@ links:
 limits: {theta1: [-160°, 160°], d2: [0, 250 mm], theta4: [-90°, 90°]}
 poses: {home: [0, 0.1, 0, 20°]}
 """
+
+BY_ROW = "whether it turns or slides is said by the row in which it stands"
+OTHERS = "theta1: [-160°, 160°], d2: [0, 250 mm]"
 
 
 def told(*changes: tuple[str, str]) -> list[str]:
@@ -59,6 +66,74 @@ def test_a_cell_of_a_row_that_is_a_list_is_judged_too() -> None:
         "10: links: row 3 should be a mapping",
         "10: alpha: the angle 90 has no unit",
     ]
+
+
+@row_by_row(
+    ("old", "new", "said"),
+    [
+        (
+            "{a: 0, alpha: 0, d: d2, theta: 0}",
+            "{a: 0, alpha: 0, d: d2, theta: 0, offset: 1}",
+            "9:39: offset: unknown key (add it in its cell: theta: theta1 + 90°)",
+        ),
+        (
+            "{a: 0, alpha: 0, d: d2, theta: 0}",
+            "{a: 0, alpha: 0, d: d2, theta: 0, type: P}",
+            "9:39: type: unknown key (a joint turns by a variable in theta, and slides by one in d)",
+        ),
+        (
+            "d: 0, theta: theta1}",
+            "d: 0, theta1}",
+            "8:29: theta1: its key is missing (write theta: theta1)",
+        ),
+        (
+            "variables: [theta1, d2, theta3, theta4]",
+            "variables: [theta1, {d2: prismatic}, theta3, theta4]",
+            f"5:21: variables: a name stands alone (write d2; {BY_ROW})",
+        ),
+        (
+            "{theta1: [-160°, 160°], d2: [0, 250 mm], theta4: [-90°, 90°]}",
+            "[[-160°, 160°], [0, 250 mm], [0, 9°], [0, 1°]]",
+            f"12:1: limits: should be a mapping, is a list (write {{{OTHERS}, theta3: [0, 9°], theta4: [0, 1°]}})",
+        ),
+        ("[-90°, 90°]", "-90° - 90°", "12:58: theta4: should be a list, is a text (write [-90°, 90°])"),
+        ("[-90°, 90°]", "{max: 90°, min: -90°}", "12:58: theta4: should be a list, is a mapping (write [-90°, 90°])"),
+        (
+            "poses: ",
+            "tool: {x: 0.1, z: 20 mm, yaw: 90°}\nposes: ",
+            "13:7: tool: should be moves, is a mapping (write Trans(0.1, 0, 20 mm) rpy(0, 0, 90°))",
+        ),
+        (
+            "poses: ",
+            "tool: {x: 0.1, mass: 2}\nposes: ",
+            "13:7: tool: should be moves, is a mapping (write Trans(0, 0, 0.1) Rot(z, 90°))",
+        ),
+    ],
+)
+def test_what_stands_in_the_shape_of_another_program_is_shown_in_ours(old: str, new: str, said: str) -> None:
+    """With what the author has written, and nothing follows from it."""
+    with pytest.raises(FileError) as caught:
+        read_robot(ARM.replace(old, new), "arm", "arm")
+    assert str(caught.value) == f"arm:{said}"
+
+
+def test_a_robot_below_a_key_of_its_own_is_told_in_one_line() -> None:
+    """And looked at as if it stood at the top."""
+    inner = "".join(f"  {line}\n" for line in ARM.replace("d: d2", "d: d9").splitlines())
+    with pytest.raises(FileError) as caught:
+        read_robot(f"robot:\n{inner}", "arm", "arm")
+    assert [str(problem).partition(" (")[0] for problem in caught.value.problems] == [
+        "arm:1:1: robot: what stands below it belongs at the top of the file",
+        "arm:10:27: d9 is not a name that is known here",
+    ]
+
+
+def test_joints_for_variables_make_no_linkage_of_a_robot(tmp_path: Path) -> None:
+    """A file with a convention is one of a robot."""
+    path = tmp_path / "arm.yaml"
+    path.write_text(ARM.replace("variables:", "joints:"), "utf-8")
+    assert kind_of(str(path)) is Kind.ROBOTS
+    assert told(("variables:", "joints:")) == ["5: joints: unknown key"]
 
 
 def test_the_arm_itself_is_right() -> None:
