@@ -11,8 +11,8 @@ from dhcli.errors import Place, Problem, RobotError, UnknownNameError, did_you_m
 from dhcli.kinematics.conventions import COLUMNS, TABLES, Convention, Row, moves_of
 from dhcli.kinematics.derived import Value
 from dhcli.kinematics.description import Description, Link
-from dhcli.kinematics.given import mapping_of, text_of, texts_of, tuple_of, value_of
-from dhcli.kinematics.moves import read_chain
+from dhcli.kinematics.given import chain_of, mapping_of, text_of, texts_of, tuple_of, value_of
+from dhcli.kinematics.moves import Chain, read_chain
 from dhcli.kinematics.values import parameter_values
 from dhcli.notation.angle import Angle
 from dhcli.notation.dimensions import read_at
@@ -23,7 +23,6 @@ from dhcli.notation.tree import Expr
 
 Cell = float | str
 _A_ROW = "each is a mapping with a, alpha, d, theta, or these four in this order"
-_A_TOOL = "write moves, 'Trans(0, 0, 0.1)'"
 _ROUND = 15
 """Whole multiples of this, beyond a turn, are degrees: nobody means 90 rad."""
 Made = TypeVar("Made", bound=Description)
@@ -57,23 +56,29 @@ def from_dh(
 def copy(
     robot: Made,
     *,
-    tool: str | None = None,
-    base: str | None = None,
+    tool: object = None,
+    base: object = None,
     parameters: Mapping[str, float | str | Value] | None = None,
     name: str | None = None,
 ) -> Made:
     """The same robot with something changed; what is taken is told by `Robot.copy`."""
     scope = Scope(lengths=tuple(robot.parameters))
-    named = {"tool": robot.tools, "base": {}}
     ends = {
-        end: named[end].get(text_of(text, end, _A_TOOL).strip(), ())
-        or (read_chain(text, scope, Place(end)) if text.strip() else ())
-        for end, text in (("tool", tool), ("base", base))
-        if text is not None
+        end: _end(given, end, scope, named)
+        for end, given, named in (("tool", tool, robot.tools), ("base", base, {}))
+        if given is not None
     }
     values = robot.parameters if parameters is None else {**robot.parameters, **parameter_values(robot, parameters)}
     called = robot.name if name is None else text_of(name, "name")
     return replace(robot, name=called, parameters=values, path=None, **ends)  # type: ignore[arg-type]
+
+
+def _end(given: object, end: str, scope: Scope, named: Mapping[str, Chain]) -> Chain:
+    """Moves by name, as text with the robot's lengths in it, or as a matrix."""
+    if not isinstance(given, str):
+        return chain_of(given, end)
+    text = given.strip()
+    return named.get(text) or (read_chain(given, scope, Place(end)) if text else ())
 
 
 def _row(row: object, number: int, scope: Scope) -> Row:
