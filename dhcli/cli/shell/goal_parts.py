@@ -14,8 +14,9 @@ from dhcli.geometry.rotations import Quaternion
 from dhcli.geometry.vectors import ORIGIN, UNITS, facing
 from dhcli.kinematics.derived import in_floats
 from dhcli.notation.brackets import split
+from dhcli.notation.dimensions import read_at
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import Bare, DimensionError, has_angle_unit, to_angle
+from dhcli.notation.quantity import Bare, has_angle_unit, to_angle
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
 from dhcli.regex import regex
@@ -100,10 +101,7 @@ def _angles(text: str, option: str, bare: Bare) -> tuple[float, float, float]:
         hint = "write --euler 'zyz 0,30°,90°'" if option == "--euler" else "write 0,90°,0"
         raise DhcliError(Problem(f"three angles are wanted, not {len(pieces)}", Place(option), hint))
     exprs = [parse(piece, Scope(), Place(option)) for _, piece in pieces]
-    try:
-        a, b, c = (to_angle(expr, bare=bare).constant() for expr in exprs)
-    except DimensionError as error:
-        raise DhcliError(Problem(error.message, Place(option), error.hint)) from None
+    a, b, c = (read_at(Place(option), to_angle, expr, bare=bare).constant() for expr in exprs)
     for expr, angle in zip(exprs, (a, b, c), strict=True):
         if bare == "rad" and not has_angle_unit(expr) and abs(angle) > 2 * math.pi:
             hint = f"write {angle:g}°, or --deg"
