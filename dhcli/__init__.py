@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from dhcli.errors import DhcliError as DhcliError
     from dhcli.files.library.entries import list_robots as list_robots
     from dhcli.files.yaml.exercises import load_exercise as load_exercise
+    from dhcli.files.yaml.linkages import load_linkage as load_linkage
     from dhcli.files.yaml.robots import load_robot as load_robot
     from dhcli.geometry.many import axis_angles as axis_angles
     from dhcli.geometry.many import quaternions as quaternions
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.batch import inverse_batch as inverse_batch
     from dhcli.kinematics.inverse.path import follow as follow
     from dhcli.kinematics.inverse.solutions import Solutions as Solutions
+    from dhcli.kinematics.inverse.solutions import in_numbers as in_numbers
+    from dhcli.kinematics.inverse.turns import limits_of as limits_of
     from dhcli.kinematics.motors import in_motors as in_motors
     from dhcli.kinematics.pose import Pose as Pose
     from dhcli.kinematics.robot import Robot as Robot
@@ -47,6 +50,8 @@ if TYPE_CHECKING:
     from dhcli.kinematics.velocity.rates import velocity_of as velocity_of
     from dhcli.kinematics.velocity.statics import symbolic_torques as symbolic_torques
     from dhcli.kinematics.velocity.statics import torques as torques
+    from dhcli.mobility.finding import mobility_of as mobility_of
+    from dhcli.mobility.result import Mobility as Mobility
     from dhcli.render.pictures.picture import Picture as Picture
     from dhcli.render.pictures.picture import draw as draw
 
@@ -55,6 +60,7 @@ __version__ = "0.1.0"
 _HOMES = {
     "DhcliError": "dhcli.errors",
     "Jacobian": "dhcli.kinematics.velocity.jacobian",
+    "Mobility": "dhcli.mobility.result",
     "Picture": "dhcli.render.pictures.picture",
     "Pose": "dhcli.kinematics.pose",
     "Rates": "dhcli.kinematics.velocity.rates",
@@ -74,8 +80,12 @@ _HOMES = {
     "list_robots": "dhcli.files.library.entries",
     "load_exercise": "dhcli.files.yaml.exercises",
     "in_motors": "dhcli.kinematics.motors",
+    "in_numbers": "dhcli.kinematics.inverse.solutions",
+    "limits_of": "dhcli.kinematics.inverse.turns",
+    "load_linkage": "dhcli.files.yaml.linkages",
     "load_robot": "dhcli.files.yaml.robots",
     "manipulability": "dhcli.kinematics.velocity.measures",
+    "mobility_of": "dhcli.mobility.finding",
     "quaternions": "dhcli.geometry.many",
     "roll_pitch_yaw": "dhcli.geometry.many",
     "singularities": "dhcli.kinematics.singular.finding",
@@ -90,6 +100,7 @@ _HOMES = {
 __all__ = [
     "DhcliError",
     "Jacobian",
+    "Mobility",
     "Picture",
     "Pose",
     "Rates",
@@ -104,14 +115,18 @@ __all__ = [
     "forward",
     "forward_batch",
     "in_motors",
+    "in_numbers",
     "inverse",
     "inverse_batch",
     "jacobian",
     "joint_rates",
+    "limits_of",
     "list_robots",
     "load_exercise",
+    "load_linkage",
     "load_robot",
     "manipulability",
+    "mobility_of",
     "quaternions",
     "roll_pitch_yaw",
     "singularities",

@@ -8,12 +8,17 @@ import gc
 import os
 import signal
 import sys
-from collections.abc import Generator, Iterator
+from collections.abc import Generator
+from contextlib import suppress
+from importlib import import_module
 from importlib.util import find_spec
 from itertools import count
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
+
+os.environ["HYPOTHESIS_NO_PLUGINS"] = "1"  # that of trio, which comes with selenium, imports all of trio
 from hypothesis import HealthCheck, settings
 
 from tests import once, reporting
@@ -24,6 +29,7 @@ _FIXED = {
     "COLUMNS": "80",
     "LINES": "24",
     "NO_COLOR": "1",
+    "OPENBLAS_NUM_THREADS": "1",  # as in every command; workers have all cores, and a thread that waits keeps one busy
     "PYTHONIOENCODING": "utf-8",  # of the processes that tests start; those about other encodings set their own
     "TERM": "xterm-256color",
 }
@@ -74,8 +80,20 @@ def pytest_configure(config: pytest.Config) -> None:
 @pytest.hookimpl(tryfirst=True)
 def pytest_unconfigure(config: pytest.Config) -> None:
     """Search for no garbage in a worker that has told all: what is found there nobody hears of."""
+    _HOMES.cleanup()
     if hasattr(config, "workerinput"):
         gc.freeze()
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection(session: pytest.Session) -> None:
+    """Have every other worker import all tests from the last to the first, so that none compiles what another has."""
+    config = session.config
+    number = getattr(config, "workerinput", {"workerid": "0"})["workerid"].removeprefix("gw")
+    if int(number) % 2 and config.args_source is pytest.Config.ArgsSource.TESTPATHS:
+        for path in sorted(Path(__file__).parent.rglob("test_*.py"), reverse=True):
+            with suppress(Exception, pytest.skip.Exception):  # told where it is collected
+                import_module(".".join(path.relative_to(config.rootpath).with_suffix("").parts))
 
 
 class Examples:
@@ -95,10 +113,22 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     """Leave out what is marked nightly, unless it is night."""
     if settings.get_current_profile_name() == "nightly":
         return
+    _draw_no_literals()
     left_out = [item for item in items if item.get_closest_marker("nightly")]
     if left_out:
         config.hook.pytest_deselected(items=left_out)
         items[:] = [item for item in items if not item.get_closest_marker("nightly")]
+
+
+def _draw_no_literals() -> None:
+    """Have hypothesis draw no literal of our own code, which it would search in all modules that are imported by then.
+
+    That takes it seconds, and which examples it tries would depend on what is imported. It has no setting for it.
+    """
+    providers = sys.modules.get("hypothesis.internal.conjecture.providers")
+    literals = getattr(providers, "_local_constants", None)
+    if hasattr(providers, "_get_local_constants"):
+        providers._get_local_constants = lambda: literals
 
 
 def pytest_collection_finish() -> None:
@@ -120,20 +150,25 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
         sys.stderr.write(f"\nleft behind by a test in the folder of the project: {', '.join(left)}\n")
 
 
-@pytest.fixture(scope="session")
-def homes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """Names of folders that nobody has made yet; a folder for each test would cost seconds in all."""
-    base = tmp_path_factory.mktemp("homes")
-    return (base / f"user-data-{number}" for number in count())
+_HOMES = TemporaryDirectory(prefix="dhcli-tests-")
+_NUMBERS = count()
 
 
-@pytest.fixture(autouse=True)
-def user_data(homes: Iterator[Path]) -> Path:
-    """The test's own folder for user data, not made yet; no robots of the person who runs the tests."""
-    folder = next(homes)
-    os.environ["XDG_DATA_HOME"], os.environ["XDG_CACHE_HOME"] = str(folder), f"{folder}-cache"  # until the next test
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup() -> None:
+    """Give each test its own folders for user data, not made yet, and no robots of the person who runs the tests.
+
+    A fixture for each test would cost seconds in all, and so would folders.
+    """
+    folder = f"{_HOMES.name}/user-data-{next(_NUMBERS)}"
+    os.environ["XDG_DATA_HOME"], os.environ["XDG_CACHE_HOME"] = folder, f"{folder}-cache"  # until the next test
     os.environ.pop("DHCLI_PATH", None)
-    return folder
+
+
+@pytest.fixture
+def user_data() -> Path:
+    """The test's own folder for user data."""
+    return Path(os.environ["XDG_DATA_HOME"])
 
 
 _NEEDS_ORJSON = pytest.mark.skipif(find_spec("orjson") is None, reason="the extra [fast] is not installed")

@@ -22,6 +22,8 @@ class Shortly:
         reports = runtestprotocol(item, log=False, nextitem=nextitem)
         passed = all(report.passed for report in reports)
         for report in reports:
+            if passed:
+                report.keywords = {}  # the names of all that the test stands in
             if not passed or report.when == "call":
                 item.ihook.pytest_runtest_logreport(report=report)
         return True

@@ -9,7 +9,8 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1] / "dhcli"
 
 KNOWN = (
-    {"dhcli.notation.tree", "dhcli.notation.writer"},  # a tree shows itself as text by its writer, which walks it
+    # a tree, and an angle in it, shows itself as text by its writer, which walks it
+    {"dhcli.notation.angle", "dhcli.notation.tree", "dhcli.notation.writer"},
 )
 """The ring that has a reason to stay."""
 

@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, TypeAlias
 
 from dhcli.algebra.program import Program
+from dhcli.notation.functions import FUNCTIONS
 
 Array: TypeAlias = Any
 """An array of any library that array-api-compat knows, or what it traces in the place of one."""
@@ -28,9 +29,6 @@ _SIGNS: dict[str, Callable[..., Any]] = {
     "positive": lambda column: column,
 }
 """Steps with a sign of their own, which take numbers of Python beside arrays without changing their kind."""
-
-_NAMES = {"arccos": "acos", "arcsin": "asin", "arctan": "atan", "arctan2": "atan2"}
-"""What the array API calls the functions that it calls by other names than numpy did."""
 
 
 def library_of(array: object) -> str:
@@ -57,7 +55,7 @@ def play(program: Program, variables: Array, xp: Namespace) -> Array:
     registers: dict[int, Array] = dict(enumerate(_columns(variables), program.inputs.start))
     for step in program.instructions:
         *read, written = step.operands
-        function = _SIGNS.get(step.ufunc) or getattr(xp, _NAMES.get(step.ufunc, step.ufunc))
+        function = _SIGNS.get(step.ufunc) or getattr(xp, FUNCTIONS.get(step.ufunc, step.ufunc))
         registers[int(written)] = function(*(registers[o] if isinstance(o, int) else o for o in read))
     like = xp.sum(variables, axis=-1)  # for its shape, kind and device; there may be no variable
     registers |= {register: xp.full_like(like, value) for register, value in program.constants.items()}

@@ -221,6 +221,10 @@ class Question(Asking, Generic[T]):
         """The DH rows that an answer draws, one for each link of the robot; none where it draws none."""
         return ()
 
+    def arm(self, _case: Case, _reading: Reading[T]) -> Robot | None:
+        """The robot as an answer draws it, with the frames of the exercise; None where it draws none."""
+        return None
+
     def leads(
         self, _case: Case, _reading: Reading[T], _span: tuple[int, int], _points: Points
     ) -> tuple[int, int, Matrices] | None:

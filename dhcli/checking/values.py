@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from fractions import Fraction
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.entries import check_names
@@ -141,9 +142,19 @@ def _verdict_in_unit(
         moved = _as_asked(answer.expr, right, there, "deg")
         return moved != typed and _verdict(there, moved, right, answer.expr, tolerance) not in UNSOLVED
 
-    if right.is_length and verdict in UNSOLVED and _shows_unit(right, exercise, tolerance):
+    is_shown = right.is_length and verdict in UNSOLVED and _shows_unit(right, exercise, tolerance)
+    if is_shown and not _is_right_without_lengths(exercise, right, answer, tolerance):
         refuse_right_in(exercise.other_units, exercise.unit, is_right)
     return verdict
+
+
+def _is_right_without_lengths(exercise: Exercise, right: Quantity, answer: TypedValue, tolerance: Tolerance) -> bool:
+    """Whether an answer is right with 0 for its bare lengths: where they are so small, they show no unit."""
+    try:
+        none = length_in_metres(answer.expr, Fraction(0), exercise.scope)
+        return _verdict(exercise, _read_as(none, right, exercise, "deg"), right, none, tolerance) not in UNSOLVED
+    except DimensionError:  # one of them divides
+        return False
 
 
 def _is_rounded_in_radians(exercise: Exercise, right: Quantity, answer: TypedValue) -> bool:

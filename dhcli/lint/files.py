@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dhcli.errors import DhcliError, FileError, Place, Problem
-from dhcli.files.library.entries import YAML, Kind
+from dhcli.files.library.entries import FOLDERS, YAML, Kind
 from dhcli.files.library.kinds import kind_of
 from dhcli.files.reading import read_text
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
@@ -29,8 +29,6 @@ BESIDE_JUDGING = frozenset(
     ("format", "title", "source", "task", "prompt", "hints", "tests", "printed", "variants", "feedback")
 )
 """Keys of exercises that may be wrong without changing what is right: the rest can be judged all the same."""
-
-USUAL = ("robots", "exercises")
 
 
 @frozen
@@ -87,7 +85,7 @@ def lint(paths: Sequence[str]) -> Linted:
 
 
 def _usual() -> list[str]:
-    found = [folder for folder in USUAL if os.path.isdir(folder)]  # noqa: PTH112
+    found = [folder for folder in FOLDERS if os.path.isdir(folder)]  # noqa: PTH112
     if not found:
         raise DhcliError(
             "there is no ./robots and no ./exercises here", "name files or folders: dhcli lint my-arm.yaml"

@@ -13,6 +13,7 @@ from dhcli.mobility.counting import Counts, counts
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.pairs import LETTERS, SPATIAL, LinkageError, Pair, Space, pair_of
 from dhcli.mobility.scanning import check_count, joint_pieces
+from dhcli.notation.brackets import split
 from dhcli.notation.parser import parse
 from dhcli.notation.tree import Expr, Number, number
 
@@ -189,13 +190,7 @@ def _row(pairs: tuple[Pair, ...], links: tuple[str, ...], first: str = "") -> It
 
 def _leg_texts(text: str) -> list[str]:
     """The pieces of `2-PRU+1-PRS`, parted at + and , outside of brackets."""
-    pieces, depth, start = [], 0, 0
-    for i, character in enumerate(text):
-        depth += {"(": 1, ")": -1}.get(character, 0)
-        if character in "+," and depth == 0:
-            pieces.append(text[start:i])
-            start = i + 1
-    return [*pieces, text[start:]]
+    return [piece for _, piece in split(text, "+,")]
 
 
 def _leg(piece: str) -> tuple[str, str] | None:

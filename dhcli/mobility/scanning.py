@@ -13,6 +13,7 @@ from itertools import pairwise
 from dhcli.errors import Place, Problem, did_you_mean
 from dhcli.frozen import frozen
 from dhcli.mobility.pairs import LETTERS, WORDS, LinkageError, Pair
+from dhcli.notation.brackets import STEPS
 from dhcli.notation.names import GREEK_NAMES
 
 LONGEST = 2_000
@@ -58,7 +59,7 @@ def joint_pieces(text: str, place: Place | None) -> Iterator[tuple[str, Pair]]:
             yield _count(text, tokens, start, i), pair
             i = start = _next_piece(tokens, i + used)
             continue
-        depth += {"(": 1, ")": -1}.get(token.kind, 0)
+        depth += STEPS.get(token.kind, 0)
         if depth < 0 or (depth == 0 and token.kind in ",;"):
             break
         i += 1

@@ -77,6 +77,16 @@ class Angle(Hashed):
             name, factor = terms[-1]
             return self.hashed((name, factor.numerator, factor.denominator, len(terms), terms[0][0], constant))
 
+    def __str__(self) -> str:
+        """With its units, `theta1 + 90°`."""
+        from dhcli.notation.writer import write_angle
+
+        return write_angle(self)
+
+    def __repr__(self) -> str:
+        """The same, for the prompt."""
+        return str(self)
+
     @classmethod
     def of(cls, name: str) -> Angle:
         """The angle that a single name stands for."""

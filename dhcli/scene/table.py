@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from dhcli.kinematics.conventions import COLUMNS, Convention
+from dhcli.kinematics.conventions import COLUMNS, LETTERS, Convention
 from dhcli.kinematics.robot import Link, Robot
-from dhcli.notation.writer import write, write_angle
+from dhcli.notation.writer import write_value
 from dhcli.regex import regex
 from dhcli.scene.labels import PRINT
 from dhcli.scene.shapes import Figure, Shape, Text
@@ -17,8 +17,6 @@ LINE, GAP = 26.0, 26.0
 
 _SIDE_BY_SIDE = regex(r"(?<=[)\]])\s*\*?\s*(?=[A-Za-z\[])")
 """Between two moves of a product, whether a star stands there or not."""
-
-_LETTERS = {"a": "a", "alpha": "α", "d": "d", "theta": "θ"}
 
 
 def with_table(figure: Figure, robot: Robot) -> Figure:
@@ -51,7 +49,7 @@ def heads(robot: Robot) -> list[Words]:
     found: list[Words] = [(Run("i"),)]
     for column in _columns(robot):
         index = before if column in ("a", "alpha") else "i"
-        found.append((Run(_LETTERS[column]), Run(index, below=True)))
+        found.append((Run(LETTERS[column]), Run(index, below=True)))
     return found
 
 
@@ -59,14 +57,7 @@ def cells(robot: Robot, link: Link) -> list[Words]:
     """The cells of one link, in the order of the columns."""
     if link.row is None:
         return [spelled(_SIDE_BY_SIDE.sub(" * ", link.product))]
-    found = []
-    for column in _columns(robot):
-        if column in ("alpha", "theta"):
-            text = write_angle(getattr(link.row, column), "short", robot.writing)
-        else:
-            text = write(getattr(link.row, column), "short", robot.writing)
-        found.append(spelled(text))
-    return found
+    return [spelled(write_value(getattr(link.row, column), "short", robot.writing)) for column in _columns(robot)]
 
 
 def _columns(robot: Robot) -> tuple[str, ...]:

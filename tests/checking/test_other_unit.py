@@ -121,3 +121,11 @@ def test_parts_of_one_exercise_are_read_in_another_unit_in_any_order(tmp_path: P
     judge = Judge(load_exercise(tmp_path / "one.yaml"))
     for part, ask in zip(judge.exercise.parts, order, strict=True):
         assert judge.judged(part, ASKED[ask]).mark.remarks == ("right in m; this sheet is in mm",), ask
+
+
+def test_a_number_too_small_to_matter_shows_no_unit() -> None:
+    """Half of the truth twice, once with 0.1 m added to a length: as 0.1 mm it is lost in the digits of 0.5."""
+    exercise, part = exercise_of("scalar a1*c1 + a2*s12", given={}, numeric=False, unit="m")
+    wrong = checked(exercise, part, "(a1*c1 + (a2 + 0.1)*s12)/2 + 0.5*(a1*c1 + a2*s12)")
+    assert wrong.verdict is Verdict.WRONG
+    assert checked(exercise, part, "(a1*c1 + a2*s12)^2/0.4").verdict is Verdict.WRONG

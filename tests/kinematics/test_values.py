@@ -8,6 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
+from dhcli import in_numbers, limits_of, list_robots
 from dhcli.errors import DhcliError, NotationError, Place, RobotError
 from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.forward import forward, symbolic
@@ -246,3 +247,32 @@ def test_symbolic_puts_in_exactly_what_is_given(scara: Robot) -> None:
     assert str(symbolic(load_robot("puma560"), "theta4=0", parameters={"a3": 0, "d3": "150 mm"}).rows[0][3]) == (
         "c1*(a2*c2 - d4*s23) - 0.15*s1"
     )
+
+
+@pytest.mark.parametrize("name", list_robots())
+def test_what_a_file_says_is_there_in_numbers(name: str) -> None:
+    """Limits and named poses as arrays of radians and metres, and exact ones shown as they are written."""
+    robot = load_robot(name)
+    bounds = limits_of(robot)
+    assert bounds.shape == (len(robot.variables), 2)
+    for variable, row in zip(robot.variables, bounds, strict=True):
+        texts = tuple(map(str, robot.limits.get(variable, ())))
+        read = [
+            in_numbers(robot, dict.fromkeys(robot.variables, text))[robot.variables.index(variable)] for text in texts
+        ]
+        assert row.tolist() == (read or [-math.inf, math.inf])
+        assert repr(robot.limits.get(variable, ())) == f"({', '.join(texts)})"
+    for pose, values in robot.poses.items():
+        written = dict(zip(robot.variables, map(str, values), strict=True))
+        assert in_numbers(robot, pose).tolist() == in_numbers(robot, written).tolist()
+        assert forward(robot, in_numbers(robot, pose)).matrix == pytest.approx(forward(robot, pose).matrix, abs=1e-12)
+
+
+def test_numbers_of_what_is_no_robot_are_refused() -> None:
+    """A name is none, and a joint without a value has none."""
+    with pytest.raises(DhcliError, match="a Robot is wanted, not 'puma560'"):
+        limits_of("puma560")  # type: ignore[arg-type]
+    with pytest.raises(DhcliError, match="a Robot is wanted, not 'puma560'"):
+        in_numbers("puma560", [0])  # type: ignore[arg-type]
+    with pytest.raises(DhcliError, match="no value for theta2"):
+        in_numbers(load_robot("planar-2r"), {"theta1": 1})

@@ -28,7 +28,6 @@ SAME = 1e-7
 LIKE = 0.02
 """What a length that is named beside a number may differ from it by, as a share, however few digits were typed."""
 MULTIPLES = (1, -1, 2, -2)
-DEGREE = math.pi / 180
 
 HALVES = ("the rotation is right;", "the position is right;")
 """How remarks begin that are said more precisely here."""
@@ -115,12 +114,12 @@ def _common_axis(turns: Sequence[Rigid]) -> Vector | None:
 def _angle_text(exercise: Exercise, typed: TypedMatrix, angles: Sequence[float]) -> str:
     """An angle that is constant, or follows a joint; nothing if it does neither."""
     if all(_is_turn(angle - angles[0]) for angle in angles):
-        return f"{round(angles[0] / DEGREE, 2) + 0:g}°"
+        return f"{round(math.degrees(angles[0]), 2) + 0:g}°"
     for name in sorted(n for n in typed.search.names if exercise.scope.is_angle(n)):
         values = [over.symbol(name) for over in typed.search.points]
         for times in MULTIPLES:
             for more in (0, 90, -90, 180):
-                offset = more * DEGREE
+                offset = math.radians(more)
                 if all(_is_turn(a - times * v - offset) for a, v in zip(angles, values, strict=True)):
                     plain = _times(times, name, exercise.writing)
                     return f"{plain} {'-' if more < 0 else '+'} {abs(more)}°" if more else plain

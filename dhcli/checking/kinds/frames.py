@@ -15,7 +15,7 @@ from dhcli.checking.frames.sketch import axes_text, drawn_at, pose_of, seen_from
 from dhcli.checking.frames.slips import as_typed, causes_of, every_slip
 from dhcli.checking.frames.spelling import has_frames, rows_of, small_axes
 from dhcli.checking.kinds.linked import needed
-from dhcli.checking.kinds.table import TableQuestion, leads_of
+from dhcli.checking.kinds.table import TableQuestion, arm_of, leads_of
 from dhcli.checking.returned import Causes, Matrices, Overlaid, Points, Reading, Shown
 from dhcli.checking.tables.comparing import END
 from dhcli.checking.tables.typed_rows import TypedRow
@@ -23,7 +23,7 @@ from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
 from dhcli.checking.whole import is_closed
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
-from dhcli.kinematics.conventions import Convention, Row
+from dhcli.kinematics.conventions import TABLES, Convention, Row
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.describe.words import Speaker, written
 from dhcli.kinematics.robot import Robot
@@ -64,7 +64,7 @@ class FramesQuestion(Question[Answer]):
     def asked(cls, text: str, _scope: Scope, place: Place | None) -> Self:
         """`frames standard`, `frames modified at drawn`."""
         convention, _, pose = text.removeprefix("frames").strip().partition(" at ")
-        if convention.strip() not in (Convention.STANDARD, Convention.MODIFIED):
+        if convention.strip() not in TABLES:
             hint = "write frames standard or frames modified, and at POSE behind it"
             rest = convention.strip()
             raise NotationError(Problem(f"there are no frames '{rest:.60}'" if rest else "which frames?", place, hint))
@@ -154,6 +154,9 @@ class FramesQuestion(Question[Answer]):
         self, case: Case, reading: Reading[Answer], span: tuple[int, int], points: Points
     ) -> tuple[int, int, Matrices] | None:
         return leads_of(self.rows(case, reading), self.convention, span, points)
+
+    def arm(self, case: Case, reading: Reading[Answer]) -> Robot | None:
+        return arm_of(case.exercise.robot, self.rows(case, reading), self.convention)
 
     def _second_truth(self, case: Case, frames: tuple[TypedFrame, ...]) -> Mark | None:
         """EQUIVALENT if frames lie on the axes of the exercise's other robot."""

@@ -16,10 +16,10 @@ from dhcli.checking.truth import is_length, names_in, truth_of, unvalued
 from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
 from dhcli.checking.wanted import Composed, Wanted, read_wanted
 from dhcli.checking.whole import is_whole_matrix
-from dhcli.errors import DhcliError, NotationError, Place, Problem
+from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.frames import View
-from dhcli.notation.quantity import DimensionError
+from dhcli.notation.dimensions import read_at
 from dhcli.notation.scope import Scope
 from dhcli.notation.writer import write
 
@@ -65,10 +65,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         if self.piece not in ("point", "vector") or not is_length(self, 0, 0):
             return replace(self, source=source)
         pairs = zip(self.point, self.measured, strict=True)
-        try:
-            point = tuple(one if measured else length_in_metres(one, unit, scope) for one, measured in pairs)
-        except DimensionError as error:
-            raise NotationError(Problem(error.message, None, error.hint)) from None
+        point = tuple(one if given else read_at(None, length_in_metres, one, unit, scope) for one, given in pairs)
         return replace(self, source=source, point=point)
 
     def describe(self, exercise: Exercise) -> str:
@@ -240,21 +237,14 @@ class MatrixQuestion(Wanted, Question[Entries]):
         if is_trivial(values) or has_name(mark):
             return not is_trivial(values)
         is_from_here = not case.exercise.numeric or mark.earned >= HALF
-        return is_from_here and (self.piece != "pose" or is_motion(values))
+        return is_from_here and (not self.is_factor or is_motion(values))
 
     def leads(
         self, case: Case, reading: Reading[Entries], span: tuple[int, int], _points: Points
     ) -> tuple[int, int, Matrices] | None:
-        from dhcli.checking.diagnosis.typed import typed_answer
-        from dhcli.kinematics.frames import span_of
+        from dhcli.checking.diagnosis.following import leads_from
 
-        robot = case.exercise.robot
-        if robot is None or not isinstance(self.source, View) or self.piece != "pose" or self.inverse:
-            return None
-        start, end = span_of(robot, self.source)
-        typed = typed_answer(case, self, reading.value)
-        is_forward = span[0] <= start < min(end, span[1])
-        return (start, end, typed.values) if typed is not None and is_forward else None
+        return leads_from(case, self, reading.value, span)
 
     def overlaid(self, case: Case, reading: Reading[Entries], values: Values) -> Overlaid | None:
         from dhcli.checking.overlaid import overlaid_matrix

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.diagnosis.result import Slip
@@ -194,6 +194,11 @@ class OrientationQuestion(Question[Turn]):
             if angle_between(self.form.rotation(values), right) > limit
             and angle_between(self.form.rotation(values), typed) <= limit
         )
+
+    def follows(self, case: Case, reading: Reading[Turn], earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
+        from dhcli.checking.diagnosis.following import orientation_follows
+
+        return orientation_follows(case, self.wanted, self.form.rotation(reading.value.values), earlier)
 
     def _right(self, case: Case) -> Rotation[float]:
         truth = truth_of(self.wanted, case)

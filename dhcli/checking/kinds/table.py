@@ -15,12 +15,12 @@ from dhcli.checking.verdicts import Mark
 from dhcli.checking.whole import ends_in_bracket, is_closed
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
+from dhcli.kinematics.conventions import COLUMNS, TABLES, Convention, Row, moves_of
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.validity import Finding
+from dhcli.kinematics.validity import Finding, InvalidRobotError
 from dhcli.notation.scope import Scope
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
     def asked(cls, text: str, _scope: Scope, place: Place | None) -> Self:
         """`table standard` or `table modified`."""
         rest = text.removeprefix("table").strip()
-        if rest not in (Convention.STANDARD, Convention.MODIFIED):
+        if rest not in TABLES:
             hint = "write table standard or table modified"
             raise NotationError(Problem(f"there is no table '{rest:.60}'" if rest else "which table?", place, hint))
         return cls(Convention(rest))
@@ -187,6 +187,9 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         """
         return leads_of(self.rows(case, reading), self.convention, span, points)
 
+    def arm(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Robot | None:
+        return arm_of(case.exercise.robot, self.rows(case, reading), self.convention)
+
     def overlaid(self, case: Case, reading: Reading[tuple[TypedRow, ...]], values: Values) -> Overlaid:
         from dhcli.checking.tables.answer import robot_of
         from dhcli.kinematics.values import numbers
@@ -218,6 +221,19 @@ def leads_of(
     if not names(chain) <= points.names:
         return None
     return start, end, tuple(fold(chain, over) for over in points.at)
+
+
+def arm_of(robot: Robot | None, rows: tuple[Row, ...], convention: Convention) -> Robot | None:
+    """A robot with other rows in its table; None where it has none in this convention, or they make no robot."""
+    if robot is None or robot.convention is not convention or not rows:
+        return None
+    pairs = zip(robot.links, rows, strict=True)
+    try:
+        return replace(
+            robot, links=tuple(replace(link, moves=moves_of(row, convention), row=row) for link, row in pairs)
+        )
+    except InvalidRobotError:
+        return None
 
 
 def _settled(case: Case, reading: Reading[tuple[TypedRow, ...]]) -> tuple[Row, ...]:

@@ -6,7 +6,7 @@ from abc import abstractmethod
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from itertools import combinations
+from itertools import chain, combinations
 from typing import Any, TypeAlias, cast
 
 from dhcli.algebra.floats import Floats
@@ -15,7 +15,8 @@ from dhcli.checking.diagnosis.plausible import HALF, at_a_point, has_name, is_tr
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.entries import Entries
 from dhcli.checking.exercise import Case
-from dhcli.checking.motion.columns import Columns, columns_for
+from dhcli.checking.motion.angles import at_other_angles
+from dhcli.checking.motion.columns import Columns, columns_for, columns_of
 from dhcli.checking.motion.digits import Digits
 from dhcli.checking.motion.grid import Grid, Numbers, alike, scale_of, within
 from dhcli.checking.motion.mistakes import made, then
@@ -25,6 +26,7 @@ from dhcli.checking.returned import Causes, Judged, Reading, Shown
 from dhcli.errors import DhcliError
 from dhcli.frozen import frozen
 from dhcli.kinematics.entries import rounded
+from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.tree import Expr
@@ -99,7 +101,7 @@ class ColumnsQuestion(MotionQuestion):
         """What follows from wrong columns, and what follows wrongly from right ones."""
         columns = self.columns(case)
         yield from self.besides(case, columns)
-        for slip, changed in _slipped(case, columns):
+        for slip, changed in chain(_slipped(case, columns), at_other_angles(case, columns)):
             with suppress(*NOTHING_FOLLOWS):
                 yield slip, self.of_columns(case, changed)
 
@@ -159,22 +161,26 @@ class ColumnsQuestion(MotionQuestion):
     # --- Follow-through -----------------------------------------------------------------------------------------
 
     def follows(self, case: Case, reading: Reading[Entries], earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
-        """The earlier pieces of the Jacobian from which an answer follows rightly."""
-        columns, own = self.columns(case), []
+        """The earlier table or frames, and pieces of the Jacobian, from which an answer follows rightly."""
+        columns, own, drawn = self.columns(case), [], []
         for other in case.exercise.before(case.part):
-            if other.id in earlier and isinstance(other.question, ColumnsQuestion):
-                found = other.question.typed_entries(Case(other, case.memo), earlier[other.id])
+            if other.id not in earlier:
+                continue
+            there = Case(other, case.memo)
+            if isinstance(other.question, ColumnsQuestion):
+                found = other.question.typed_entries(there, earlier[other.id])
                 if found is not None and found[0] == columns.view:
                     own.append((other.id, found[1]))
-        own = own[-MOST_EARLIER:]
-        for count in range(1, len(own) + 1):
-            for some in combinations(own, count):
-                changed = columns
+            elif (arm := other.question.arm(there, earlier[other.id])) is not None:
+                drawn.append((other.id, arm))
+        for names, start in (((), columns), *_drawn(columns, drawn)):
+            for some in _choices(own[-MOST_EARLIER:], least=not names):
+                changed = start
                 for _, typed in some:
                     changed = _overlaid(changed, typed)
                 try:
                     if self.gives(case, self.of_columns(case, changed), reading.value):
-                        return tuple(name for name, _ in some)
+                        return (*names, *(name for name, _ in some))
                 except (DhcliError, UnreadableError, KeyError, ZeroDivisionError, OverflowError):
                     continue
         return ()
@@ -184,6 +190,19 @@ class ColumnsQuestion(MotionQuestion):
         if judged.reading is None or is_trivial(at_a_point(judged.reading.value, case.exercise.values)):
             return False
         return not case.exercise.numeric or judged.mark.earned >= HALF or has_name(judged.mark)
+
+
+def _drawn(columns: Columns, arms: Sequence[tuple[str, Robot]]) -> Iterator[tuple[tuple[str, ...], Columns]]:
+    """The columns of the arms that somebody has drawn, each with the part where it was."""
+    for name, arm in arms:
+        with suppress(*NOTHING_FOLLOWS):
+            yield (name,), columns_of(arm, columns.view)
+
+
+def _choices(own: Sequence[tuple[str, Typed]], *, least: bool) -> Iterator[tuple[tuple[str, Typed], ...]]:
+    """Every choice of earlier pieces, from a number of them on."""
+    for count in range(int(least), len(own) + 1):
+        yield from combinations(own, count)
 
 
 def _flat(table: Numbers) -> list[float]:

@@ -85,7 +85,7 @@ def _instead(columns: Columns, one: Column, changed: Column) -> Columns:
     return _each(columns, lambda column: changed if column is one else column)
 
 
-def _changed(columns: Columns, change: Callable[[Expr], Expr]) -> Columns:
+def rewritten(columns: Columns, change: Callable[[Expr], Expr]) -> Columns:
     """Every entry of every column changed."""
 
     def changed(vector: Vector) -> Vector:
@@ -205,7 +205,7 @@ def zero_turned(columns: Columns) -> Made:
     first = columns.each[0]
     for quarter in (90, -90) if first.turns else ():
         change = partial(_from_other_zero, joint=first.joint, quarter=quarter)
-        yield f"{first.joint} {quarter:+}°", _changed(columns, change)
+        yield f"{first.joint} {quarter:+}°", rewritten(columns, change)
 
 
 @IN_COLUMNS(
@@ -332,4 +332,4 @@ def columns_reversed(columns: Columns) -> Made:
 )
 def sine_cosine(columns: Columns) -> Made:
     """Sine for cosine and back, everywhere."""
-    yield "", _changed(columns, _with_functions_swapped)
+    yield "", rewritten(columns, _with_functions_swapped)

@@ -46,7 +46,7 @@ _IN_BRACKETS = regex(
 """A vector in brackets, with the sign of a transposition and what separates it from the next."""
 
 _BETWEEN = regex(r",?[ \t]{1,20}(?:or|and)[ \t]{1,20}|[ \t]{0,20}\n[ \t]{0,20}(?:or|and)[ \t\n]{1,20}")
-_BETWEEN_NAMED = regex(rf"(?:{_BETWEEN.pattern})(?=[^\W\d]\w{0, 40}[ \t]{0, 9}=)")
+_BETWEEN_NAMED = regex(rf"(?:{_BETWEEN.pattern})(?=[^\W\d]\w{{0,40}}[ \t]{{0,9}}=)")
 
 
 @frozen

@@ -16,8 +16,6 @@ from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.same_robot import Match
 
-DEGREE = math.pi / 180
-
 
 @frozen
 class Drawn:
@@ -78,8 +76,8 @@ def joint_freedoms(
         if sense < 0 and f"{name} counts the other way" not in said:
             found.append(f"your {name} counts the other way")
         if turns:
-            degrees = math.remainder(zero / DEGREE, 360)
-            if abs(degrees * DEGREE) > slack.angle:
+            degrees = math.remainder(math.degrees(zero), 360)
+            if math.radians(abs(degrees)) > slack.angle:
                 found.append(f"your {name} has another zero ({_signed(degrees)})")
         elif abs(zero) > slack.length:
             amount = f" ({slack.said(zero)})" if slack.said else ""
@@ -95,7 +93,7 @@ def end_freedoms(name: str, frame: Rigid, slack: Slack) -> tuple[str, ...]:
     if frame.tilt() > slack.angle:
         turns = {axis: frame.angle_about(unit) for axis, unit in ALONG.items()}
         about = [axis for axis, unit in ALONG.items() if abs(frame.turned(unit)["xyz".index(axis)] - 1) <= slack.angle]
-        said.append(f"turned by {_signed(turns[about[0]] / DEGREE)} about {about[0]}" if about else "turned")
+        said.append(f"turned by {_signed(math.degrees(turns[about[0]]))} about {about[0]}" if about else "turned")
     if shifted:
         said.append("shifted along " + " and ".join(shifted) + by)
     return (f"your {name} frame is " + " and ".join(said),) if said else ()
@@ -125,7 +123,7 @@ def _turned(number: int, difference: Rigid, mover: str | None, slack: Slack) -> 
     if abs(abs(sideways) - math.pi) <= slack.angle:
         yield f"your x{number} points the other way"
     elif abs(sideways) > slack.angle:
-        yield f"your x{number} is turned by {_signed(sideways / DEGREE)} about z{number}"
+        yield f"your x{number} is turned by {_signed(math.degrees(sideways))} about z{number}"
 
 
 def _shifted(drawn: Drawn, apart: list[Rigid], movers: list[str | None], slack: Slack) -> Iterator[str]:

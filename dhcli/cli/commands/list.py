@@ -53,6 +53,6 @@ def kinds_of(word: str | None) -> tuple[Kind, ...]:
         return tuple(Kind)
     kinds = {kind.value: kind for kind in Kind} | {kind.noun: kind for kind in Kind}
     if word not in kinds:
-        hint = did_you_mean(word, [kind.value for kind in Kind]) or "dhcli list robots, linkages or exercises"
+        hint = did_you_mean(word, [kind.value for kind in Kind])
         raise UnknownNameError(f"there is no kind of thing called {word}", hint)
     return (kinds[word],)

@@ -65,7 +65,7 @@ class Delivery:
             DhcliError: The file ends as one in another format does.
         """
         if self.style is not None and self.style not in STYLES:
-            raise UnknownNameError(f"there is no style {self.style}", did_you_mean(self.style, STYLES) or "short, full")
+            raise UnknownNameError(f"there is no style {self.style}", did_you_mean(self.style, STYLES))
         check_overwrite(self.output, overwrite=self.overwrite)
         name = self.format
         if name is None and self.output is not None:

@@ -12,7 +12,7 @@ from dhcli.cli.shell.given import lengths_of, values_of
 from dhcli.cli.shell.goal_parts import from_parts, known
 from dhcli.cli.shell.typed_digits import Rows, slack_of
 from dhcli.cli.shell.wishes import Goal
-from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean
+from dhcli.errors import DhcliError, Place, Problem
 from dhcli.frozen import frozen
 from dhcli.kinematics.forward import numeric_pose
 from dhcli.kinematics.frames import ends
@@ -98,12 +98,10 @@ def asked(
 
 def task_of(goal: Goal) -> str:
     """What counts: as asked for, else what the options determine."""
-    known = ("pose", "position", "orientation", "axis", "direction")
     if goal.task is not None:
-        if goal.task not in known:
-            hint = did_you_mean(goal.task, known) or "known: " + ", ".join(known)
-            raise UnknownNameError(Problem(f"there is no task {goal.task}", Place("--task"), hint))
-        return goal.task
+        from dhcli.kinematics.inverse.tasks import task_called
+
+        return task_called(goal.task).name
     turned = any(turn is not None for turn in (goal.rpy, goal.quaternion, goal.euler))
     if goal.pointing is not None:
         return "direction" if goal.position is None else "axis"

@@ -157,7 +157,7 @@ def _each(which: Which, many: ManyPoses) -> Each:
     """Which solutions of each pose are wanted."""
     each = many.each or "all"
     if each not in {"all", "nearest", "first"}:
-        hint = did_you_mean(each, ("all", "nearest", "first")) or "all, nearest or first"
+        hint = did_you_mean(each, ("all", "nearest", "first"))
         raise UnknownNameError(Problem(f"there is no {each} of solutions", Place("--each"), hint))
     if each == "nearest" and which.near is None:
         raise DhcliError("nearest to what?", "give --near VALUES")

@@ -21,6 +21,8 @@ _IN_REMARK = regex(r"[:=\[(] ?(?P<heads>[^:=\[\]]{7,200}[^:=\[\]) ])")
 _UNIT = regex(r"(?P<name>[^\[(]*)[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]?\s*")
 COUNTED = regex(r"(?:[^\W\d]{1,20}[ _.-]?|[0-9]{1,3} ?(?:-|->|→) ?)?([0-9]{1,3})")
 """The number of a row, or its name with a number: `2`, `L2`, `link 2`, `1-2`."""
+_INDEX = regex(r"(?<=\w)[\[(] ?([ijn](?: ?[-−] ?1)?) ?[\])]")  # noqa: RUF001  a minus sign
+"""The index of a head in brackets: `alpha(i-1)`."""
 _WORDS = {
     "link length": "a",
     "length": "a",
@@ -38,6 +40,7 @@ _WORDS = {
     "sigma": "kind",
     **dict.fromkeys(("lower", "lower limit", "min", "minimum", "qmin", "q_min", "theta_min", "qlim_min"), "lower"),
     **dict.fromkeys(("upper", "upper limit", "max", "maximum", "qmax", "q_max", "theta_max", "qlim_max"), "upper"),
+    **dict.fromkeys(("range", "joint range", "limits", "joint limits", "motion range", "working range"), "range"),
 }
 _BESIDES = frozenset(("mass", "weight", "center", "centre", "com", "cog", "dynamics", "inertia", "speed", "velocity"))
 _BESIDES |= {"torque", "effort", "motor", "gear", "comment", "comments", "remark", "remarks", "note", "notes"}
@@ -125,6 +128,7 @@ class Named:
 
 def named(head: str) -> Named:
     """The column, the unit and the index of a head such as `α_{i-1} [deg]`."""
+    head = _INDEX.sub(r"_{\1}", head)
     match = _UNIT.fullmatch(head)
     unit = match["unit"] if match else ""
     if match is None or unit not in ANGLE_UNITS | LENGTH_UNITS.keys():

@@ -24,6 +24,8 @@ from dhcli.regex import regex
 
 _WORD = regex(r"(?<!\w)\\?[^\W\d](?:_\{[^{}]{1,20}\}|\w)*")
 _STAR = regex(r"(?<=[\w})])[ ]?\^?\*(?=[ ]*(?:$|[-+−]))")  # noqa: RUF001  a minus sign
+_ALONE = frozenset(("*", "var", "var.", "variable"))
+"""Cells that say only that they are the variable of their row."""
 _NO_NAMES = RESERVED | UNITS | {"π"}
 
 
@@ -142,15 +144,19 @@ def in_unit(expr: Expr, unit: str) -> Expr:
 class Reader:
     """Reads cells and rows one after another; what is wrong is collected."""
 
-    def __init__(self, scope: Scope) -> None:
-        """Take the names that may stand in them."""
+    def __init__(self, scope: Scope, *, as_typed: bool = False) -> None:
+        """Take the names that may stand in them, and whether 1.5708 rad stays what it is."""
         self.scope = scope
+        self.as_typed = as_typed
         self.problems: list[Problem] = []
         self.remarks: list[str] = []
         self.variables: dict[int, str] = {}
 
     def row(self, row: RowText, number: int, kind: str) -> Row:
         """One row; its variable is noted."""
+        for column, letter in (("theta", "R"), ("d", "P")):
+            if (cell := row.cells.get(column)) is not None and cell.text.strip().lower() in _ALONE:
+                row.cells[column], kind = replace(cell, text="0"), kind or letter
         starred = {column for column, cell in row.cells.items() if _STAR.search(cell.text)}
         a, d, offset = (row.cells.get(column) for column in ("a", "d", "offset"))
         found = Row(self.length(a, "a"), self.angle(row.cells.get("alpha"), "alpha"), self.length(d, "d"), Angle())
@@ -240,7 +246,7 @@ class Reader:
         try:
             typed = in_unit(self.parsed(cell), cell.unit)
             said: list[str] = []
-            found = to_angle(with_right_angles(typed, said), bare="refuse")
+            found = to_angle(typed if self.as_typed else with_right_angles(typed, said), bare="refuse")
             self.remarks += [type(remark)(f"{column}: {remark}") for remark in said]
         except DimensionError as error:
             hint = error.hint or "write 90°"

@@ -9,6 +9,8 @@ from itertools import islice, pairwise
 from dhcli.errors import FileError, Place, Problem, did_you_mean, plural
 from dhcli.files.foreign.heads import COUNTED, Heads, cells_of, heads_of
 from dhcli.files.foreign.rows import Cell, RowText
+from dhcli.files.yaml.placed import PlacedScalar
+from dhcli.files.yaml.slips import items_of
 from dhcli.kinematics.conventions import COLUMNS
 from dhcli.regex import regex
 
@@ -21,7 +23,10 @@ _CLOSED = regex(r"\]{1,2}\)?[,;]?(?:\s*[#%/].*)?")
 _ROW_PARTS = regex(r"\s*[,;|&\t]\s*|\s+")
 _KINDS = {"r": "R", "revolute": "R", "0": "R", "p": "P", "prismatic": "P", "1": "P", "f": "F", "fixed": "F"}
 LIMITS = ("lower", "upper")
-READ = (*COLUMNS, "beta", "offset", "kind", *LIMITS)
+READ = (*COLUMNS, "beta", "offset", "kind", "range", *LIMITS)
+_NONE = frozenset(("", "-", "–", "—", "−"))  # noqa: RUF001  dashes, and a minus sign
+"""Cells of nothing, which are 0."""
+_TWO_WAYS = regex(r"\+?(?P<high>[^-+/]{1,40})/ ?(?P<low>[-−][^-+/]{1,40})")  # noqa: RUF001  a minus sign
 
 
 def read_table(text: str, source: str, units: str = "") -> tuple[Heads, list[RowText]]:
@@ -125,11 +130,25 @@ def _row(cells: list[str], place: Place, heads: Heads, units: str) -> RowText:
         here = replace(place, column=column_of_text + 1)
         if column == "kind":
             kind = kind_of(text, here)
-        elif column and (text or column not in LIMITS):
+        elif column == "range" and text not in _NONE:
+            found |= dict(zip(LIMITS, (Cell(end.text, end.place, unit) for end in _ends(text, here)), strict=True))
+        elif column != "range" and column and (text not in _NONE or column not in LIMITS):
             default = units if column in ("a", "d") else ""
-            found[column] = Cell(text or "0", here, unit or default)
+            found[column] = Cell("0" if text in _NONE else text, here, unit or default)
         column_of_text += len(text)
     return RowText(place, found, kind)
+
+
+def _ends(text: str, place: Place) -> Sequence[PlacedScalar]:
+    """The lowest and the highest value of a range: `±170°`, `-170..170`, `+170/-170`.
+
+    Raises:
+        FileError: It is none.
+    """
+    text = _TWO_WAYS.sub(r"\g<low>..\g<high>", text)
+    if len(ends := items_of(PlacedScalar(text, place), 2)[0]) != 2:  # noqa: PLR2004  lowest and highest
+        raise FileError(Problem(f"'{text:.40}' is no range", place, "write ±170° or -170°..170°"))
+    return ends
 
 
 def kind_of(text: str, place: Place) -> str:
@@ -140,6 +159,6 @@ def kind_of(text: str, place: Place) -> str:
     """
     known = _KINDS.get(text.strip().lower())
     if known is None:
-        hint = did_you_mean(text, _KINDS) or "revolute, prismatic or fixed"
+        hint = did_you_mean(text, _KINDS)
         raise FileError(Problem(f"{text!r:.60} is no kind of joint", place, hint))
     return known

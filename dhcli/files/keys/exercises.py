@@ -9,6 +9,9 @@ from dhcli.checking.verdicts import Verdict
 from dhcli.files.keys.shapes import ANGLE, FLAG, NUMBER, TEXT, TEXTS, WHOLE, Either, Key, Keyed, Many, Named, Scalar
 from dhcli.notation.quantity import LENGTH_UNITS
 
+FEEDBACK = ("verdict", "expected")
+"""What a wrong entry may be told with: its verdict alone, or the right entry too."""
+
 ANSWER = Either((Scalar(may_be_empty=True), Many(Either((TEXT, TEXTS)))))
 """An answer as a sheet has it: a text, or a list as YAML has it."""
 TOLERANCE = (
@@ -108,7 +111,7 @@ EXERCISE = (
         Named(TEXT),
         example="variants: {theta1: 20°..70° step 1°}",
     ),
-    Key("feedback", "`expected`: a wrong entry is told with the right one beside it", Scalar(("verdict", "expected"))),
+    Key("feedback", "`expected`: a wrong entry is told with the right one beside it", Scalar(FEEDBACK)),
     Key(
         "picture",
         "`axes`: `dhcli draw` shows bodies and joint axes only; `none`, no picture. By itself it shows frames and "

@@ -22,6 +22,9 @@ from dhcli.files.keys.shapes import (
 )
 from dhcli.kinematics.conventions import Convention
 
+SIDES = ("space", "body")
+"""Where screws may be seen from."""
+
 CONVENTIONS = (*(convention.value for convention in Convention), "axes", "screws")
 
 _OF_EVERY_ROBOT = (
@@ -106,7 +109,7 @@ AXES = (
 
 SCREWS = (
     *_OF_EVERY_ROBOT,
-    Key("frame", "where the screws are seen from: the base, or the end frame", Scalar(("space", "body"))),
+    Key("frame", "where the screws are seen from: the base, or the end frame", Scalar(SIDES)),
     Key(
         "screws",
         "the screw of each joint with the joints at 0: ω, then v",

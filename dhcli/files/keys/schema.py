@@ -35,7 +35,7 @@ def schema_of(kind: str) -> Schema:
     """
     made = _KINDS.get(kind)
     if made is None:
-        raise UnknownNameError(f"there is no schema of {kind}", did_you_mean(kind, _KINDS) or ", ".join(_KINDS))
+        raise UnknownNameError(f"there is no schema of {kind}", did_you_mean(kind, _KINDS))
     head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": f"A {kind} file of dhcli"}
     return {**head, **made()}
 

@@ -15,12 +15,13 @@ from functools import lru_cache
 from pathlib import Path
 from stat import S_ISDIR
 
+from dhcli.errors import DhcliError
 from dhcli.frozen import frozen
 
 BUILT_IN = "built-in"
 YAML = (".yaml", ".yml")
 """What the name of a file of the library ends in."""
-_OWN_FOLDERS = ("robots", "exercises")
+FOLDERS = ("robots", "exercises")
 """What makes an entry of `$DHCLI_PATH` a root."""
 _PACKAGE = Path(__file__).parents[2]
 _path = lru_cache(1024)(Path)
@@ -88,6 +89,26 @@ def is_own(name: str) -> bool:
     return any(entry.name == name and entry.origin == BUILT_IN for entry in entries(Kind.ROBOTS))
 
 
+def refuse_namesake(kind: Kind, name: str) -> None:
+    """Refuse a new name that something of another kind has: which of them is meant would be anybody's guess.
+
+    Args:
+        kind: What is to be called so.
+        name: Its name; of an exercise the part behind its course counts.
+
+    Raises:
+        DhcliError: It is taken.
+    """
+    last = name.rsplit("/", maxsplit=1)[-1]
+    for other in Kind:
+        if other is kind:
+            continue
+        for entry in entries(other):
+            if entry.name.split("/")[-1] == last:
+                where = f"{'built-in ' if entry.origin == BUILT_IN else ''}{other.noun} {entry.name}"
+                raise DhcliError(f"{last} is the name of the {where}, too", f"name the {kind.noun} otherwise")
+
+
 def full_id(name: str) -> str:
     """An id from its last part, where only one exercise ends so."""
     if "/" in name or name.endswith(YAML) or name == "-":
@@ -123,7 +144,7 @@ def _user_folders(kind: Kind) -> Iterator[tuple[str, str]]:
     for written in filter(None, os.environ.get("DHCLI_PATH", "").split(os.pathsep)):
         root = os.path.expanduser(written)
         below = kind.folder
-        if kind is not Kind.EXERCISES and not any(os.path.isdir(os.path.join(root, own)) for own in _OWN_FOLDERS):
+        if kind is not Kind.EXERCISES and not any(os.path.isdir(os.path.join(root, own)) for own in FOLDERS):
             below = below.removeprefix("robots").removeprefix("/")
         yield os.path.join(root, below), os.path.join(written, below)
     data_home = os.environ.get("XDG_DATA_HOME", "")

@@ -7,15 +7,24 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from xml.parsers import expat
 
-from dhcli.errors import FileError, Place, Problem, did_you_mean
+from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
 from dhcli.files.foreign.forms import Form, form_of, told
 from dhcli.frozen import frozen
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import DimensionError, to_angle
+from dhcli.notation.scope import Scope
 from dhcli.regex import regex
 
 DEEPEST = 100
 MOST = 20_000
 KINDS = ("fixed", "revolute", "continuous", "prismatic")
 _OTHERS = ("floating", "planar", "spherical")
+_WORDS = {
+    "revolute": ("rotational", "rotation", "rotary", "hinge", "pin"),
+    "prismatic": ("linear", "slider", "slide", "sliding", "translational"),
+    "fixed": ("rigid", "static"),
+}
+"""What other programs call joints."""
 _ZEROS = ("0", "0", "0")
 _NUMBER = regex(r"[-+]?[0-9]{0,20}\.[0-9]{1,20}")
 
@@ -87,12 +96,37 @@ def read_model(text: str, source: str) -> Model:
         parser.Parse(text.encode("utf-8"), True)  # noqa: FBT003  the last piece
     except expat.ExpatError as error:
         place = Place(source, error.lineno, error.offset + 1)
-        raise FileError(Problem(f"is no XML: {expat.ErrorString(error.code)}", place)) from None
+        said = expat.ErrorString(error.code)
+        raise FileError(Problem(f"is no XML: {said}", place, _XML_HINTS.get(said, ""))) from None
     if not reader.path_seen:
         raise FileError(Problem("holds no <robot>", Place(source)))
     if reader.problems:
         raise FileError(reader.problems)
     return reader.model
+
+
+_EXAMPLES = {"axis": "0 0 1", "rpy": "0 0 1.5708"}
+"""Three numbers that stand in the place of others, where they are no lengths."""
+
+
+def _number_hint(piece: str) -> str:
+    """What to write for a piece of text that is no number: a decimal comma, or an angle with π, as one."""
+    decimal = piece.replace(",", ".")
+    if _NUMBER.fullmatch(decimal):
+        return f"write {decimal}"
+    try:
+        angle = to_angle(parse(piece, Scope()), bare="rad")
+    except (NotationError, DimensionError):
+        return ""
+    return f"write {round(angle.constant(), 12):g}"
+
+
+_XML_HINTS = {
+    "no element found": "is the file cut off? <robot> has no end",
+    "unclosed token": "is the file cut off?",
+    "mismatched tag": "each <tag> has its </tag>, in turn",
+    "not well-formed (invalid token)": "in names and texts & is &amp; and < is &lt;",
+}
 
 
 class _Reader:
@@ -150,7 +184,8 @@ class _Reader:
         """A joint begins."""
         name, kind = self.wanted(attributes, "name", "joint"), self.wanted(attributes, "type", "joint")
         if kind not in (*KINDS, *_OTHERS):
-            hint = did_you_mean(kind, KINDS) or f"types: {', '.join(KINDS)}"
+            meant = next((own for own, words in _WORDS.items() if kind.lower() in words), "")
+            hint = f"write {meant}" if meant else did_you_mean(kind, KINDS)
             self.tell(f"joint {name}: there is no type {kind}", hint)
         if any(joint.name == name for joint in self.model.joints):
             self.tell(f"there are two joints called {name}")
@@ -181,7 +216,10 @@ class _Reader:
         """Three numbers."""
         pieces = tuple(text.split())
         if len(pieces) != 3:  # noqa: PLR2004  x y z
-            self.tell(f"{what}: three numbers are wanted, not '{text}'", 'write xyz="0 0 0.1"')
+            parted = text.replace(",", " ").replace(";", " ").split()
+            shown = " ".join(parted) if len(parted) == 3 else _EXAMPLES.get(what, "0 0 0.1")  # noqa: PLR2004  x y z
+            key = what if what in ("xyz", "rpy") else "xyz"
+            self.tell(f"{what}: three numbers are wanted, not '{text}'", f'write {key}="{shown}"')
             return _ZEROS
         for piece in pieces:
             try:
@@ -189,8 +227,7 @@ class _Reader:
             except ValueError:
                 value = float("nan")
             if not math.isfinite(value) or "_" in piece:
-                decimal = piece.replace(",", ".")
-                self.tell(f"{what}: '{piece}' is no number", f"write {decimal}" if _NUMBER.fullmatch(decimal) else "")
+                self.tell(f"{what}: '{piece}' is no number", _number_hint(piece))
                 return _ZEROS
         return pieces
 

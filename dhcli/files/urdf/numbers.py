@@ -14,6 +14,8 @@ _STEPS = ((90, 2e-3), (45, 1e-3), (15, 1e-4))
 """Multiples of so many degrees, and how far a rounded one may be from them [rad]."""
 _LEAST = 1e-6
 _A_TURN = 7.0
+_THREE_TURNS, _IN_DEGREES = 19.0, 1080.0
+"""Three turns in radians, and in degrees."""
 _FAR = 10.0
 """What no roll and no length of a robot is beyond [rad and m]; in degrees and millimetres they are."""
 
@@ -66,10 +68,19 @@ def odd_numbers(joints: Sequence[Joint]) -> Iterator[str]:
     if turned:
         names, text = ", ".join(turned), next(iter(turned.values()))
         yield f"rpy of {names}: {text} is more than a turn; angles are in radians, and 90° is 1.5708"
+    wide = {j.name: text for j in joints if j.kind == "revolute" for text in j.limits or () if _is_wide(float(text))}
+    if wide:
+        names, text = ", ".join(wide), next(iter(wide.values()))
+        yield f"limits of {names}: {text} is more than three turns; angles are in radians, and 90° is 1.5708"
     away = {joint.name: text for joint in joints for text in joint.xyz if abs(float(text)) > _FAR}
     if away:
         names, text = ", ".join(away), next(iter(away.values()))
         yield f"xyz of {names}: {text} is longer than any arm; lengths are in metres, and 300 mm is 0.3"
+
+
+def _is_wide(limit: float) -> bool:
+    """Whether a limit is hardly one in radians, and may be one in degrees; what is larger still stands for none."""
+    return _THREE_TURNS < abs(limit) <= _IN_DEGREES
 
 
 def _last_digit(text: str) -> float:

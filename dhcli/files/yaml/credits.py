@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 from dhcli.checking.credit import UNITS, USUAL, Shares
-from dhcli.errors import did_you_mean
 from dhcli.files.keys import exercises as keys
 from dhcli.files.keys.shapes import names
 from dhcli.files.yaml.fields import Fields
 from dhcli.files.yaml.placed import PlacedMapping
-from dhcli.files.yaml.typed import read_number
+from dhcli.files.yaml.typed import read_number, read_word
 
 HALVES = ("rotation", "position")
 SHARES = ("close", "rounded", "unit", "moves")
@@ -48,7 +47,5 @@ def _shares(own: Fields, usual: Shares) -> Shares:
         own.problems.add(own.place_of("position"), message, "one of them says it: the other is the rest")
     if rotation is None and position is not None:
         rotation = 1 - position
-    table = own.text("table", usual.table)
-    if table not in UNITS:
-        own.problems.add(own.place_of("table"), f"table: '{table}' is not known", did_you_mean(table, UNITS))
+    table = read_word(own, "table", UNITS) or usual.table
     return replace(usual, **given, table=table, rotation=usual.rotation if rotation is None else rotation)

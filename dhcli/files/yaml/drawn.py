@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, are, did_you_mean, plural
-from dhcli.files.keys.robots import ROBOTS
+from dhcli.files.keys.robots import ROBOTS, SIDES
 from dhcli.files.yaml.fields import Fields
 from dhcli.files.yaml.joint_values import JointValues
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, as_text
 from dhcli.files.yaml.robot_loader import Loader
-from dhcli.files.yaml.typed import parsed, read_value
+from dhcli.files.yaml.typed import parsed, read_value, read_word
 from dhcli.geometry.orthonormal import not_a_rotation
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, axis_called, length, scaled
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, drawing_of
@@ -28,7 +28,6 @@ from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.tree import ONE, ZERO, Expr
 from dhcli.notation.walk import symbols_in
 
-_SIDES: tuple[Side, ...] = ("space", "body")
 _OF_AXES = ("through", "slides", "pitch")
 _SIX = 6
 _LEAST = 1e-9
@@ -183,9 +182,7 @@ class DrawnLoader(Loader):
 
     def screw_lines(self, nodes: tuple[PlacedNode, ...], home: Frame) -> tuple[Line, ...]:
         """The lines of screws, in the base."""
-        side: Side = "body" if self.fields.text("frame", "space") == "body" else "space"
-        if (text := self.fields.text("frame", "space")) not in _SIDES:
-            self.problems.add(self.fields.place_of("frame"), f"frame: should be space or body, is '{text}'")
+        side: Side = "body" if read_word(self.fields, "frame", SIDES) == "body" else "space"
         screws = []
         for i, node in enumerate(nodes):
             fields = self.row(node, i, "{theta1: (0, 0, 1, 0, 0, 0)}")

@@ -11,7 +11,7 @@ from dhcli.checking.figures import LEVELS
 from dhcli.checking.verdicts import Verdict
 from dhcli.checking.written import Printed, Trial, answer_scope
 from dhcli.errors import DhcliError, FileError, Problem, did_you_mean, nearest
-from dhcli.files.keys.exercises import ALSO, EXERCISE, PART, PRINTED, SOURCE, TEST, TOLERANCE
+from dhcli.files.keys.exercises import ALSO, EXERCISE, FEEDBACK, PART, PRINTED, SOURCE, TEST, TOLERANCE
 from dhcli.files.keys.shapes import names, required
 from dhcli.files.library.entries import Kind, entries, full_id
 from dhcli.files.library.lookup import check_typed, find
@@ -26,6 +26,7 @@ from dhcli.files.yaml.tolerances import read_tolerance
 from dhcli.files.yaml.typed import (
     read_flag,
     read_texts,
+    read_word,
 )
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.quantity import LENGTH_UNITS
@@ -108,7 +109,7 @@ class _Loader:
             root, known=names(EXERCISE), required=required(EXERCISE), elsewhere=ELSEWHERE
         )
         self.robot = self.named.robot("robot", self.fields.scalar("robot"))
-        self.unit = self.fields.text("unit", "m")
+        self.unit = read_word(self.fields, "unit", (*LENGTH_UNITS, "none"), "write m, mm, cm or none") or "m"
         self.names = read_texts(self.fields, "names")
         self.given = Given(self.fields, self.robot, self.unit)
         self.printed = self.read_printed()
@@ -148,15 +149,8 @@ class _Loader:
         nodes = self.fields.sequence("tests", example="- {part: a1, answer: ..., verdict: WRONG}")
         trials = tuple(self.trial(node) for node in nodes)
         also = self.also()
-        if self.unit not in (*LENGTH_UNITS, "none"):
-            self.not_known("unit", f"unit: '{self.unit}' is no unit of length", "write m, mm, cm or none")
         self.check_printed()
-        feedback = self.fields.text("feedback", "verdict")
-        if feedback not in ("verdict", "expected"):
-            self.not_known("feedback", f"feedback: '{feedback}' is not known", "write expected, or leave it out")
-        picture = self.fields.text("picture", "")
-        if picture and picture not in LEVELS:
-            self.not_known("picture", f"picture: '{picture}' is not known", f"one of {', '.join(LEVELS)}")
+        feedback = read_word(self.fields, "feedback", FEEDBACK, "write expected, or leave it out")
         found = Exercise(
             id=self.name,
             title=self.fields.text("title"),
@@ -174,15 +168,10 @@ class _Loader:
             trials=trials,
             shows_expected=feedback == "expected",
             variants=self.given.variants(),
-            picture=picture,
+            picture=read_word(self.fields, "picture", LEVELS),
         )
         self.check_values(found)
         return found
-
-    def not_known(self, key: str, message: str, hint: str) -> None:
-        """Note that the value of a key is none of those it may have."""
-        node = self.fields.get(key)
-        self.problems.add(self.fields.place if node is None else node.place, message, hint)
 
     def check_values(self, exercise: Exercise) -> None:
         """Names without a value, where the right answer needs one; a value that was refused is told already."""

@@ -53,7 +53,7 @@ def read_frames(path: Path | str, reference: Robot) -> Frames:
     fields = problems.document(root, known=KEYS, required=("convention", "frames"))
     convention = fields.text("convention")
     if convention and convention not in _CONVENTIONS:
-        hint = did_you_mean(convention, _CONVENTIONS) or "standard or modified: whose rules the frames are to keep"
+        hint = did_you_mean(convention, _CONVENTIONS)
         problems.add(fields.place_of("convention"), f"convention: there are no frames of '{convention}'", hint)
     rows = [row for node in fields.sequence("frames") for row in _row(problems, node)]
     if not rows and "frames" in fields:

@@ -8,8 +8,8 @@ from dhcli.files.keys.shapes import names, required
 from dhcli.files.yaml.coordinates import Coordinates
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence
-from dhcli.files.yaml.typed import parsed, read_flag
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row
+from dhcli.files.yaml.typed import parsed, read_flag, read_word
+from dhcli.kinematics.conventions import COLUMNS, TABLES, Convention, Row
 from dhcli.mobility.dhloop import joints_of_loop
 from dhcli.mobility.linkage import Joint
 from dhcli.mobility.pairs import LETTERS, WORDS, LinkageError, Pair, Space, pair_of
@@ -213,16 +213,12 @@ class JointReader:
     def loop(self) -> list[Joint]:
         """A closed loop of DH rows."""
         fields = self.fields.mapping("loop", known=names(LOOP), required=required(LOOP))
-        word = fields.text("convention")
-        if word not in (Convention.STANDARD, Convention.MODIFIED):
-            self.problems.add(
-                fields.place_of("convention"), f"convention: '{word}' is not known", "standard or modified"
-            )
+        word = read_word(fields, "convention", TABLES)
         rows = [self.row(node) for node in fields.sequence("rows")]
         self.problems.raise_if_any()
         self.places = [node.place for node in fields.sequence("rows")]
         try:
-            return list(joints_of_loop(rows, Convention(word), self.numbers.values, self.tolerance))
+            return list(joints_of_loop(rows, Convention(word or "standard"), self.numbers.values, self.tolerance))
         except LinkageError as error:
             self.add_at(fields.place_of("rows"), error, "loop")
             return []

@@ -18,7 +18,7 @@ def linkage_template(name: str, form: str) -> str:
     """
     check_name(name, "a linkage")
     if form not in _FORMS:
-        raise DhcliError(f"there is no form {form}", did_you_mean(form, _FORMS) or f"known: {', '.join(_FORMS)}")
+        raise DhcliError(f"there is no form {form}", did_you_mean(form, _FORMS))
     return _HEAD.format(name=name, other=", ".join(other for other in _FORMS if other != form)) + _FORMS[form]
 
 

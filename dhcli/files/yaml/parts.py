@@ -20,7 +20,7 @@ from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.named import Named
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence, as_text
 from dhcli.files.yaml.tolerances import read_decimals
-from dhcli.files.yaml.typed import MOST_DIGITS, read_flag, read_texts
+from dhcli.files.yaml.typed import MOST_DIGITS, read_flag, read_texts, read_word
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
@@ -92,7 +92,7 @@ class PartReader:
             "depends": depends,
             "hints": read_texts(fields, "hints"),
             "tolerance": self.own_tolerance(fields),
-            "compare": self.compare(fields),
+            "compare": read_word(fields, "compare", COMPARED),
             "printed": self.printed.get(name),
             "index": index,
         }
@@ -144,14 +144,6 @@ class PartReader:
         if "decimals" in fields:
             tolerance = replace(tolerance or self.tolerance, decimals=read_decimals(fields))
         return tolerance
-
-    def compare(self, fields: Fields) -> str:
-        """How a table is judged; empty where the file leaves it to the task."""
-        text = fields.text("compare")
-        if "compare" in fields and text not in COMPARED:
-            hint = did_you_mean(text, COMPARED)
-            self.problems.add(fields.place_of("compare"), f"compare: '{text}' is not known", hint)
-        return text
 
 
 @frozen

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
-from dhcli.errors import FileError, Place, Problem, did_you_mean
+from dhcli.errors import FileError, Place, Problem
 from dhcli.files.keys.robots import TABLE, UNITS
 from dhcli.files.keys.shapes import Key, required
 from dhcli.files.keys.shapes import names as names_of
@@ -17,7 +17,7 @@ from dhcli.files.yaml.links import Links
 from dhcli.files.yaml.parameters import Parameters
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.reader import Reader
-from dhcli.files.yaml.typed import read_flag, read_moves, read_whole
+from dhcli.files.yaml.typed import read_flag, read_moves, read_whole, read_word
 from dhcli.kinematics.description import Description
 from dhcli.kinematics.moves import Chain, every_angle, names
 from dhcli.kinematics.robot import Link, Robot, Value
@@ -55,7 +55,9 @@ class Loader:
         known = (*self.variables, *self.parameters.entries)
         self.scope = Scope(lengths=known, is_open="variables" not in self.fields)
         keeps_digits = "exact" in self.fields and not read_flag(self.fields, "exact")
-        self.reader = Reader(self.problems, self.scope, None if keeps_digits else [], self.read_unit())
+        self.reader = Reader(
+            self.problems, self.scope, None if keeps_digits else [], read_word(self.fields, "units", UNITS)
+        )
         self.links = Links(self.fields, self.reader, self.places, self.variables)
         self.clear: frozenset[str] = frozenset()
         self.doubtful: frozenset[str] = frozenset()
@@ -152,15 +154,6 @@ class Loader:
             scalar = read_moves(self.problems, fields.entries[key][1], key)
             found[key] = () if scalar is None else self.reader.moves(scalar)
         return found
-
-    def read_unit(self) -> str:
-        """The unit of bare lengths, empty for metres."""
-        scalar = self.fields.scalar("units")
-        if scalar is None or scalar.text in UNITS:
-            return "" if scalar is None else scalar.text
-        hint = did_you_mean(scalar.text, UNITS) or ", ".join(UNITS)
-        self.problems.add(scalar.place, f"units: {scalar.text!r:.60} is no unit of length", hint)
-        return ""
 
     def read_first(self) -> int:
         """The number of the first link."""

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dhcli.errors import NotationError, Problem
+from collections.abc import Collection
+
+from dhcli.errors import NotationError, Problem, did_you_mean
 from dhcli.files.keys.shapes import FLAGS
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, as_text
@@ -168,6 +170,16 @@ def read_flag(fields: Fields, key: str) -> bool:
         message = f"{key}: should be true or false, is '{scalar.text}'"
         fields.problems.add(scalar.place, message, f"write {key}: true, or leave it out")
     return FLAGS.get(word, False)
+
+
+def read_word(fields: Fields, key: str, words: Collection[str], hint: str = "") -> str:
+    """One of some words; empty if it is not there, or none of them, which is told. The hint says what to write."""
+    scalar = fields.scalar(key)
+    if scalar is None or scalar.text in words:
+        return "" if scalar is None else scalar.text
+    hint = hint or did_you_mean(scalar.text, words)
+    fields.problems.add(scalar.place, f"{key}: '{scalar.text:.60}' is not known", hint)
+    return ""
 
 
 def read_texts(fields: Fields, key: str) -> tuple[str, ...]:

@@ -67,4 +67,4 @@ def check_form(text: str, others: tuple[str, ...]) -> Form:
         if form == text.strip().lower():
             return form
     known = (*FORMS, *others)
-    raise UnknownNameError(f"there is no description {text}", did_you_mean(text, known) or "known: " + ", ".join(known))
+    raise UnknownNameError(f"there is no description {text}", did_you_mean(text, known))

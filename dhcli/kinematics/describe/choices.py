@@ -69,7 +69,7 @@ def read_choices(text: str) -> Choices:
     names = [name for part in text.split(",") if (name := part.strip().lower())]
     for name in names:
         if name not in WORDS:
-            raise UnknownNameError(f"there is no choice {name}", did_you_mean(name, WORDS) or ", ".join(WORDS))
+            raise UnknownNameError(f"there is no choice {name}", did_you_mean(name, WORDS))
     return Choices(next_d=NEXT_D in names, previous_x=PREVIOUS_X in names)
 
 

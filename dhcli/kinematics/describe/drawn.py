@@ -13,13 +13,13 @@ from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, cross, dot, length, plus, scaled
 from dhcli.kinematics.axes import no_axis
+from dhcli.kinematics.derived import Value
 from dhcli.kinematics.describe.linear import Form, LettersError, Point, Ruler, along, form_of, moved, shifted
 from dhcli.kinematics.moves import PLANES, Chain, Fixed, Move, Rot, Trans, angle_names, names, substituted
 from dhcli.notation.angle import Angle, Rational, magnitude
 from dhcli.notation.tree import ONE, ZERO, Expr, Number
 from dhcli.notation.walk import substitute, symbols, symbols_in
 
-Value: TypeAlias = Angle | Expr
 Placed: TypeAlias = tuple[tuple[Vector, Vector, Vector], Point]
 """The three axes of a frame, and its origin."""
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from dhcli.frozen import frozen
 from dhcli.geometry.twists import cross
-from dhcli.kinematics.inverse.polishing import motion
+from dhcli.kinematics.inverse.polishing import lines, products
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Arm, Array
@@ -134,19 +134,8 @@ def _slides(arm: Arm) -> bool:
     return any(not axis.turns for axis in arm.axes[: arm.joints])
 
 
-def _placed(arm: Arm, parts: Anatomy, motions: Array) -> tuple[list[Array], list[Array], Array]:
-    """Axes, points on them, and the wrist, at some joint values, each (K, 3)."""
-    total = np.broadcast_to(np.eye(4), (len(motions), 4, 4))
-    z, p = [], []
-    wrist = np.array(parts.wrist)
-    place = np.broadcast_to(wrist, (len(motions), 3))
-    for k in range(arm.joints):
-        axis = arm.axes[k]
-        z.append(total[:, :3, :3] @ np.array(axis.direction))
-        p.append(total[:, :3, :3] @ np.array(axis.point) + total[:, :3, 3])
-        if k == arm.joints - 1 and parts.flips:
-            place = total[:, :3, :3] @ wrist + total[:, :3, 3]
-        total = total @ motion(axis, motions[:, k])
-    if not parts.flips:
-        place = total[:, :3, :3] @ wrist + total[:, :3, 3]
-    return z, p, place
+def _placed(arm: Arm, parts: Anatomy, motions: Array) -> tuple[Array, Array, Array]:
+    """Axes and points on them, shape (n, K, 3), and the wrist, (K, 3), at some joint values."""
+    before = products(arm, motions[:, : arm.joints])
+    carries = before[-2 if parts.flips else -1]
+    return *lines(arm, before), carries[:, :3, :3] @ np.array(parts.wrist) + carries[:, :3, 3]

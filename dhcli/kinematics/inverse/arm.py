@@ -44,13 +44,6 @@ class Axis:
     point: tuple[float, float, float] = (0.0, 0.0, 0.0)
     factor: float = 1.0
 
-    @cached_property
-    def turn(self) -> tuple[Array, Array, Array]:
-        """What a turn leaves, what it has of its cosine and what of its sine, three matrices (Rodrigues)."""
-        x, y, z = self.direction
-        along = np.outer(self.direction, self.direction)
-        return along, np.eye(3) - along, np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-
 
 @frozen
 class Arm:
@@ -75,6 +68,28 @@ class Arm:
         """Motion for each unit of each joint variable, metres in units of the reach, shape (n,)."""
         own = self.axes[: self.joints]
         return np.array([axis.factor if axis.turns else axis.factor / self.reach for axis in own])
+
+    @cached_property
+    def lines(self) -> tuple[Array, Array]:
+        """Directions of all axes, and a point on each, shape (n, 1, 3, 1)."""
+        parts = ([axis.direction for axis in self.axes], [axis.point for axis in self.axes])
+        along, point = (np.array(part, dtype=float).reshape(-1, 1, 3, 1) for part in parts)
+        return along, point
+
+    @cached_property
+    def turns(self) -> tuple[Array, Array, Array]:
+        """What a turn about each axis leaves, what it has of its cosine and what of its sine, each (n, 1, 3, 3).
+
+        Source: Rodrigues' formula.
+        """
+        along = self.lines[0] * self.lines[0].transpose(0, 1, 3, 2)
+        around = [[[0, -z, y], [z, 0, -x], [-y, x, 0]] for x, y, z in (axis.direction for axis in self.axes)]
+        return along, np.eye(3) - along, np.array(around, dtype=float).reshape(-1, 1, 3, 3)
+
+    @cached_property
+    def slides(self) -> tuple[int, ...]:
+        """Which axes slide."""
+        return tuple(k for k, axis in enumerate(self.axes) if not axis.turns)
 
     @cached_property
     def turning(self) -> NDArray[np.bool_]:

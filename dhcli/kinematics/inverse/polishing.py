@@ -9,7 +9,7 @@ import numpy as np
 from dhcli.geometry.twists import cross
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Arm, Array, Axis, Ints
+    from dhcli.kinematics.inverse.arm import Arm, Array, Ints
     from dhcli.kinematics.inverse.tasks import Task
 
 STEPS = 12
@@ -17,6 +17,9 @@ STEPS = 12
 
 ENOUGH = 4e-15
 """A residual that no further step makes smaller."""
+
+POLISH = 2e-14
+"""Candidates above this are led nearer by Newton's steps."""
 
 SINGULAR = 1e-6
 """Singular values of the Jacobian below this may be zero; a finite motion then decides."""
@@ -48,28 +51,50 @@ def spread(count: int, width: int, seed: int = 0) -> Array:
     return np.asarray((steps * _ROOTS[np.arange(width) % len(_ROOTS)] * (1 + np.arange(width) // len(_ROOTS))) % 1)
 
 
-def motion(axis: Axis, value: Array) -> Array:
-    """The motion of a joint, for values (N,), shape (N, 4, 4)."""
-    result = np.zeros((len(value), 4, 4))
-    result[:, 3, 3] = 1
-    if not axis.turns:
-        result[:, [0, 1, 2], [0, 1, 2]] = 1
-        result[:, :3, 3] = value[:, None] * np.array(axis.direction)
-        return result
-    along, across, around = axis.turn
-    turn = along + np.cos(value)[:, None, None] * across + np.sin(value)[:, None, None] * around
-    result[:, :3, :3] = turn
-    p = np.array(axis.point)
-    result[:, :3, 3] = p - turn @ p
+def motions(arm: Arm, values: Array) -> Array:
+    """The motion of each axis by itself, for values (N, n) of the first n, shape (n, N, 4, 4)."""
+    count = values.shape[1]
+    along, across, around = (part[:count] for part in arm.turns)
+    point = arm.lines[1][:count]
+    slides = [k for k in arm.slides if k < count]
+    angles = values.T[:, :, None, None].copy()
+    angles[slides] = 0
+    turn = np.cos(angles) * across
+    turn += along
+    turn += np.sin(angles) * around
+    result = np.zeros((*values.T.shape, 4, 4))
+    result[:, :, :3, :3] = turn
+    result[:, :, :3, 3] = (point - turn @ point)[..., 0]
+    result[:, :, 3, 3] = 1
+    for k in slides:
+        result[k, :, :3, :3] = np.eye(3)
+        result[k, :, :3, 3] = values[:, k, None] * arm.lines[0][k, :, :, 0]
     return result
+
+
+def products(arm: Arm, values: Array) -> Array:
+    """The products of the motions before each axis, and of all, for values (N, n), shape (n + 1, N, 4, 4)."""
+    moved = motions(arm, values)
+    found = np.empty((len(moved) + 1, *moved.shape[1:]))
+    found[0] = np.eye(4)
+    for k, one in enumerate(moved):
+        np.matmul(found[k], one, out=found[k + 1])
+    return found
 
 
 def product(arm: Arm, values: Array) -> Array:
     """The product of the motions of all axes, for values (N, axes), shape (N, 4, 4)."""
     total = np.broadcast_to(np.eye(4), (len(values), 4, 4))
-    for j in range(values.shape[1]):
-        total = total @ motion(arm.axes[j], values[:, j])
+    for one in motions(arm, values):
+        total = total @ one
     return np.array(total)
+
+
+def lines(arm: Arm, before: Array) -> tuple[Array, Array]:
+    """Directions of the axes and a point on each, when those before have moved as in `products`, each (n, N, 3)."""
+    along, point = (part[: len(before) - 1] for part in arm.lines)
+    turn, place = before[:-1, :, :3, :3], before[:-1, :, :3, 3]
+    return (turn @ along)[..., 0], (turn @ point)[..., 0] + place
 
 
 def extent(arm: Arm, values: Array) -> Array:
@@ -95,15 +120,14 @@ def jacobian(arm: Arm, task: Task, values: Array) -> tuple[Array, Array]:
     Returns:
         The product of the motions, shape (N, 4, 4), and the Jacobian, shape (N, m, n).
     """
-    total = np.broadcast_to(np.eye(4), (len(values), 4, 4))
-    turns, moves = [], []
-    for axis, value in zip(arm.axes, values.T, strict=False):
-        along = total[:, :3, :3] @ np.array(axis.direction)
-        point = total[:, :3, :3] @ np.array(axis.point) + total[:, :3, 3]
-        turns.append(along if axis.turns else np.zeros_like(along))
-        moves.append(cross(point, along) if axis.turns else along)
-        total = total @ motion(axis, value)
-    omega, v = np.stack(turns, axis=2), np.stack(moves, axis=2)
+    before = products(arm, values)
+    along, point = lines(arm, before)
+    turning, moving = along.copy(), cross(point, along)
+    for k in arm.slides:
+        if k < len(along):
+            turning[k], moving[k] = 0, along[k]
+    omega, v = (np.ascontiguousarray(part.transpose(1, 2, 0)) for part in (turning, moving))
+    total = before[-1]
     end = total @ arm.home
     rows = []
     if task.place:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.geometry.twists import cross
-from dhcli.kinematics.inverse.polishing import motion, product
+from dhcli.kinematics.inverse.polishing import lines, product, products
 from dhcli.kinematics.inverse.prepared import Prepared
 
 if TYPE_CHECKING:
@@ -166,16 +166,12 @@ def _angle(task: Task, end: Array, target: Array) -> float:
 
 def _cost(arm: Arm, task: Task, motions: Array, goal: Array) -> tuple[Array, Array, Array]:
     """Half the sum of squares that is left, the slope of what is reached, and the error."""
-    total = np.broadcast_to(np.eye(4), (len(motions), 4, 4))
-    alongs, points = [], []
-    for axis, value in zip(arm.axes, motions.T, strict=False):
-        alongs.append(total[:, :3, :3] @ np.array(axis.direction))
-        points.append(total[:, :3, :3] @ np.array(axis.point) + total[:, :3, 3])
-        total = total @ motion(axis, value)
-    end, wanted = total @ arm.home, goal @ arm.home
+    before = products(arm, motions)
+    end, wanted = before[-1] @ arm.home, goal @ arm.home
     columns = [*task.directions, *([3] if task.place else [])]
     error = np.concatenate([(wanted - end)[:, :3, k] for k in columns], axis=1)
-    along, point, turns = np.stack(alongs, 1), np.stack(points, 1), arm.turning[:, None]
+    along, point = (np.ascontiguousarray(part.transpose(1, 0, 2)) for part in lines(arm, before))
+    turns = arm.turning[:, None]
     # how each column of the end pose changes with each joint, shape (N, n, 3)
     moved = [
         np.where(turns, cross(along, end[:, None, :3, 3] - point), along)

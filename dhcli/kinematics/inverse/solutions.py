@@ -12,7 +12,7 @@ from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.arm import nearest_turn
 from dhcli.kinematics.limits import far_limits
-from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.robot import Robot, Value, check_robot
 from dhcli.kinematics.values import JointInput, joint_values
 
 if TYPE_CHECKING:
@@ -227,13 +227,25 @@ HOLD = "{'theta1': '30°'}"
 
 
 def in_numbers(robot: Robot, q: JointInput) -> Array:
-    """Joint values in radians and metres, shape (n,), from whatever `forward` takes.
+    """Joint values in radians and metres, from whatever `forward` takes.
+
+    >>> from dhcli import in_numbers, load_robot
+    >>> in_numbers(load_robot("ur5e"), "up").round(4).tolist()
+    [0.0, -1.5708, 0.0, -1.5708, 0.0, 0.0]
+
+    Args:
+        robot: The robot.
+        q: The name of a pose, text with units, a mapping by name, or numbers.
+
+    Returns:
+        One for each variable of the robot, shape (n,) [rad, or m of a slide].
 
     Raises:
         RobotError: They are no joint values of this robot.
     """
     from dhcli.kinematics.derived import in_floats
 
+    check_robot(robot)
     values = joint_values(robot, q)
     if missing := [name for name in robot.variables if name not in values]:
         raise RobotError(f"no value for {', '.join(missing)}", "give a value for each joint")

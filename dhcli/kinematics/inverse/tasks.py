@@ -54,9 +54,7 @@ def task_called(name: object) -> Task:
         UnknownNameError: There is none.
     """
     if not isinstance(name, str) or name not in TASKS:
-        raise UnknownNameError(
-            f"there is no task {name!s:.60}", did_you_mean(str(name), TASKS) or "known: " + ", ".join(TASKS)
-        )
+        raise UnknownNameError(f"there is no task {name!s:.60}", did_you_mean(str(name), TASKS))
     return TASKS[name]
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from dhcli.errors import plural
-from dhcli.kinematics.conventions import NAMES, ORDER, Convention
+from dhcli.kinematics.conventions import LETTERS, NAMES, ORDER, Convention
 from dhcli.kinematics.moves import Chain, angle_names, expressions, spelled
 from dhcli.kinematics.robot import Joint, Link, Robot
 from dhcli.notation.quantity import value_text
@@ -22,7 +22,6 @@ from dhcli.render.text.quantities import in_degrees, in_units
 from dhcli.render.text.table import Inked, table_text
 from dhcli.safe import csv_cell, latex
 
-_LETTERS = {"a": "a", "alpha": "α", "d": "d", "theta": "θ"}
 _BESIDES = 12
 """Columns of a table of products besides those of products and joints: numbers, gaps, a `*` at the end of a line."""
 _LEAST = 20
@@ -35,7 +34,7 @@ def heads(robot: Robot) -> tuple[str, ...]:
     """The heads of the table in the file's order: `a_{i-1}` where the convention counts so."""
     before = {"a", "alpha"} if robot.convention is Convention.MODIFIED else set()
     return tuple(
-        f"{_LETTERS[column]}_{{i-1}}" if column in before else f"{_LETTERS[column]}_i" for column in robot.columns
+        f"{LETTERS[column]}_{{i-1}}" if column in before else f"{LETTERS[column]}_i" for column in robot.columns
     )
 
 

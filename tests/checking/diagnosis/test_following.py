@@ -10,6 +10,8 @@ from dhcli import load_exercise, load_robot
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.kinds.registry import read_question
 from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.values import joint_values
 from tests.judging import answer_with, expected, mark_sheet
 
 ASKED = ("pose 0..6", "pose 3..5", "link 4", "position of pose 0..5", "point (1, 2, 3) of pose 0..6")
@@ -20,8 +22,6 @@ def puma(asked: str, *, numeric: bool = False) -> Exercise:
     robot = load_robot("puma560")
     table = Part("table", read_question("table modified", robot.scope))
     later = Part("pose", read_question(asked, robot.scope), depends=("table",))
-    from dhcli.kinematics.values import joint_values
-
     given = joint_values(robot, "25°,40°,65°,35°,70°,20°") if numeric else {}
     return Exercise("e", "", "", "", (table, later), robot, given, numeric=numeric)
 
@@ -105,8 +105,6 @@ def links(*, numeric: bool) -> Exercise:
         Part(name, read_question(text, robot.scope), depends=("t01", "t12") if name == "t02" else ())
         for name, text in asked.items()
     )
-    from dhcli.kinematics.values import joint_values
-
     given = joint_values(robot, "25°,40°,65°,35°,70°,20°") if numeric else {}
     return Exercise("e", "", "", "", parts, robot, given, numeric=numeric)
 
@@ -132,8 +130,6 @@ def test_what_follows_from_a_table_without_joints_earns_nothing() -> None:
 
 def test_what_follows_from_numbers_that_have_nothing_to_do_with_the_task_earns_nothing() -> None:
     """Such as those of another variant; a slip that is known leads on."""
-    from dhcli.kinematics.values import joint_values
-
     exercise = links(numeric=True)
     assert exercise.robot is not None
     given = joint_values(exercise.robot, "31°,52°,65°,35°,70°,20°")
@@ -151,3 +147,92 @@ def test_a_misprint_that_is_copied_leads_on() -> None:
     own = "[c12 -s12 0 a*c1 + b*c12; s12 c12 0 a*s1 + b*s12; 0 0 1 0; 0 0 0 1]"
     marks = {one.part.id: one.mark for one in mark_sheet(exercise, {"t12": copied, "t02": own}).parts}
     assert marks["t02"].earned == 1
+
+
+GIVEN, TURNED = "25°,40°,65°,35°,70°,20°", "25°,40°,-65°,35°,70°,20°"
+
+
+def chained(*asked: str, at: str = "") -> Exercise:
+    """Questions about PUMA 560, in numbers at joint values, each of which may build on those before it."""
+    robot = load_robot("puma560")
+    parts: list[Part] = []
+    for text in asked:
+        depends = tuple(one.id for one in parts)
+        parts.append(Part(f"p{len(parts)}", read_question(text, robot.scope), depends=depends))
+    given = joint_values(robot, at) if at else {}
+    return Exercise("e", "", "", "", tuple(parts), robot, given, numeric=bool(at))
+
+
+def last_mark(exercise: Exercise, *answers: str) -> Mark:
+    """The judgement of the last part."""
+    return mark_sheet(exercise, dict(zip((part.id for part in exercise.parts), answers, strict=True))).parts[-1].mark
+
+
+@pytest.mark.parametrize(
+    "said", ["rpy of", "euler zyz of", "fixed xyz of", "quaternion of", "axis-angle of", "rotation-vector of"]
+)
+@pytest.mark.parametrize("first", ["pose 0..3", "rotation of pose 0..3"])
+def test_an_orientation_said_from_a_wrong_matrix_keeps_its_credit(first: str, said: str) -> None:
+    """Whoever says in angles what their own matrix holds has made no second slip."""
+    asked = first, f"{said} pose 0..3"
+    turned = chained(*asked, at=TURNED)
+    mark = last_mark(chained(*asked, at=GIVEN), *(expected(turned, part) for part in turned.parts))
+    assert (mark.verdict, mark.earned) == (Verdict.WRONG, 1)
+    assert mark.diagnosis is not None
+    assert mark.diagnosis.follows == ("p0",)
+
+
+def test_an_orientation_beside_a_wrong_matrix_needs_to_be_that_of_it() -> None:
+    """Another wrong orientation than that of the own matrix earns nothing."""
+    asked = "rotation of pose 0..3", "rpy of pose 0..3"
+    turned = chained(*asked, at=TURNED)
+    assert last_mark(chained(*asked, at=GIVEN), expected(turned, turned.parts[0]), "10, 20, 30").earned == 0
+
+
+def test_an_axis_read_from_a_wrong_rotation_keeps_its_credit_and_a_position_does_not() -> None:
+    """A rotation says nothing about where a frame is."""
+    exercise = chained("rotation of pose 0..3", "axis x of pose 0..3")
+    rotation = answer_with(exercise, exercise.parts[0], "transposed")
+    mark = last_mark(exercise, rotation, "[c1*c23, -c1*s23, -s1]")
+    assert (mark.verdict, mark.earned) == (Verdict.WRONG, 1)
+    placed = chained("rotation of pose 0..3", "position of pose 0..3")
+    assert last_mark(placed, rotation, "[0, 0, 0]").earned < 1
+    assert last_mark(placed, rotation, "[a2*c2, a2*s2, -d3]").earned < 1
+
+
+ABOUT_MOTION = (
+    "jacobian of 0..3",
+    "jacobian linear of 0..3 in frame 3",
+    "jacobian body of 0..3",
+    "column 2 of jacobian of 0..3",
+    "determinant of jacobian linear of 0..3",
+    "torques for (10, 20, 5) of 0..3",
+    "velocity of 0..3 with rates (0.5, 0.2, -1)",
+    "joint rates for (0.1, 0, 0.2) of 0..3",
+)
+
+
+@pytest.mark.parametrize("asked", ABOUT_MOTION)
+@pytest.mark.parametrize("numeric", [False, True])
+def test_what_the_motion_of_a_wrong_table_is_keeps_its_credit(asked: str, *, numeric: bool) -> None:
+    """The slip is in the table; whoever goes on from there rightly, in letters or in numbers, has made no other."""
+    robot = load_robot("articulated")
+    wrong = Robot.from_dh(
+        [("0", "-90°", "d1", "theta1"), ("a2", "0", "0", "theta2"), ("a3", "0", "0", "theta3")],
+        variables=robot.variables,
+        parameters=robot.parameters,
+    )
+    given = joint_values(robot, "25°,40°,65°") if numeric else {}
+    parts = (
+        Part("table", read_question("table standard", robot.scope)),
+        Part("then", read_question(asked, robot.scope), depends=("table",)),
+    )
+    here, there = (Exercise("e", "", "", "", parts, arm, given, numeric=numeric) for arm in (robot, wrong))
+    assert expected(here, here.parts[1]) != expected(there, there.parts[1])
+    answers = {part.id: expected(there, part) for part in there.parts}
+    mark = mark_sheet(here, answers).parts[-1].mark
+    assert (mark.verdict, mark.earned) == (Verdict.WRONG, 1)
+    assert mark.diagnosis is not None
+    assert mark.diagnosis.follows == ("table",)
+    alone = mark_sheet(here, {"then": answers["then"]}).parts[-1].mark
+    assert alone.earned < 1

@@ -12,15 +12,17 @@ from typing import Any
 import pytest
 
 from dhcli.algebra.floats import Floats
-from dhcli.checking.exercise import Case
+from dhcli.checking.exercise import Case, Exercise, Part
 from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.made import question_about
+from dhcli.checking.kinds.registry import read_question
 from dhcli.checking.marked import SheetMark
 from dhcli.checking.motion import differentiated, grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.files.yaml.robots import load_robot
+from dhcli.kinematics.forward import forward
 from dhcli.kinematics.values import joint_values
 from dhcli.notation.tree import Expr, Symbol, number
 from tests.nightly import NIGHT, paired, some
@@ -288,3 +290,50 @@ def test_numbers_that_follow_from_wrong_numbers_keep_their_credit() -> None:
     assert (marks[1].mark.diagnosis.follows, marks[1].mark.earned) == (("j",), 1)
     marks = judge.sheet({"j": "0 0; 0 0; 0 0", "v": "0, 0, 0"}).parts
     assert (marks[1].mark.verdict, marks[1].mark.earned) == (Verdict.WRONG, 0)
+
+
+def geometric(robot: str, q: tuple[float, ...]) -> list[list[float]]:
+    """The Jacobian of an arm whose joints all turn, from axes and origins of its link frames."""
+    arm, total = load_robot(robot), len(q)
+    frames = [forward(arm, list(q), start="0", end=str(k)).matrix for k in range(total + 1)]
+    columns = []
+    for k in range(total):
+        z, o, p = ([frames[i][r][c] for r in range(3)] for i, c in ((k, 2), (k, 3), (total, 3)))
+        arm_of = [b - a for a, b in zip(o, p, strict=True)]
+        columns.append([*(z[i - 2] * arm_of[i - 1] - z[i - 1] * arm_of[i - 2] for i in range(3)), *z])
+    return [list(row) for row in zip(*columns, strict=True)]
+
+
+@pytest.mark.parametrize(
+    ("q", "name"),
+    [
+        ((-Q[0], Q[1], Q[2]), "theta-sign theta1"),
+        ((Q[0], -Q[1], Q[2]), "theta-sign theta2"),
+        ((Q[0], Q[1], -Q[2]), "theta-sign theta3"),
+        (tuple(math.radians(angle) for angle in Q), "thetas-unit"),
+    ],
+)
+def test_joint_angles_that_are_not_those_of_the_task_are_named_and_torques_from_there_keep_credit(
+    q: tuple[float, ...], name: str
+) -> None:
+    """The angle of one joint counts the other way, or a calculator takes radians for degrees."""
+    arm = load_robot("articulated")
+    values = joint_values(arm, list(Q))
+    parts = tuple(
+        Part(text.split()[0], read_question(text, arm.scope), depends=before)
+        for text, before in (("jacobian of 0..3", ()), ("torques for (3, -2, 5) of 0..3", ("jacobian",)))
+    )
+    rows = geometric("articulated", q)
+    torques = [sum(row[k] * force for row, force in zip(rows, (3, -2, 5), strict=False)) for k in range(3)]
+    answers = {
+        "jacobian": "; ".join(" ".join(f"{x:.4f}" for x in row) for row in rows),
+        "torques": ", ".join(f"{x:.4f}" for x in torques),
+    }
+    first, second = (
+        one.mark for one in Judge(Exercise("e", "", "", "", parts, arm, values, numeric=True)).sheet(answers).parts
+    )
+    assert first.diagnosis is not None
+    assert first.diagnosis.ids == (name,)
+    assert (second.verdict, second.earned) == (Verdict.WRONG, 1)
+    assert second.diagnosis is not None
+    assert second.diagnosis.follows == ("jacobian",)

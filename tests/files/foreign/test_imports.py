@@ -32,6 +32,8 @@ DATA = Path(__file__).parents[2] / "data"
 ROBOTS = sorted({path.stem for path in (Path(__file__).parents[3] / "robots").glob("*.yaml")} - {*COUPLED})
 TABLES = [name for name in ROBOTS if load_robot(name).convention is not Convention.PRODUCT]
 
+ARM_URDF = "<robot name='r'><link name='a'/></robot>"
+
 
 def imported(text: str, **wish: str) -> Robot:
     """A robot of a text, by way of the file that `dhcli new robot` writes."""
@@ -356,6 +358,35 @@ def test_limits_and_what_says_nothing_of_links_stand_in_tables_of_makers() -> No
 
 
 @pytest.mark.parametrize(
+    "text", ["a,alpha,d,theta\n0.4,1.5708 rad,0,q1\n", "L(1) = Link([0 0 0.4 1.5708]);\nr = SerialLink(L);\n"]
+)
+def test_right_angles_may_stay_as_they_were_typed(text: str) -> None:
+    """In tables and listings as in a URDF; the file that is written says so."""
+    for typed, alpha in ((True, 1.5708), (False, math.pi / 2)):
+        robot = import_robot(text, "x", Wish("arm", "standard", as_typed=typed))
+        assert gap(read_robot(robot_text(robot), "x", "arm"), [0.3], standard(0.3, 0, 0.4, alpha)) < 1e-15
+
+
+def test_ranges_of_makers_are_limits() -> None:
+    """One number for both, two in any order of signs, from one to the other; a unit in the head."""
+    robot = imported(
+        "i\ta(i-1)\talpha(i-1) [deg]\td(i)\ttheta(i)\tRange [deg]\n1\t0\t0\t0\tq1\t±170\n"
+        "2\t0.1\t-90\t0\tq2\t+90°/-80°\n3\t0\t90\t*\t0\t0..100 mm\n4\t0\t0\t-\tvar\t-\n",
+        convention="modified",
+    )
+    assert {name: tuple(map(value_text, pair)) for name, pair in robot.limits.items()} == {
+        "q1": ("-170°", "170°"),
+        "q2": ("-80°", "90°"),
+        "d3": ("0 m", "0.1 m"),
+    }
+    expected = modified(0.3, 0, 0, 0) @ modified(0.5, 0, 0.1, -math.pi / 2)
+    expected = expected @ modified(0, 0.05, 0, math.pi / 2) @ modified(0.7, 0, 0, 0)
+    assert gap(robot, [0.3, 0.5, 0.05, 0.7], expected) < 1e-15
+    with pytest.raises(FileError, match=r"x:2:15: 'free' is no range .write ±170° or -170°..170°"):
+        imported("a,alpha,d,theta,range\n0.1,pi/2,0,t1,free\n", convention="standard")
+
+
+@pytest.mark.parametrize(
     "text",
     [
         "arm:\n  - {name: base, theta: q1, d: 100, a: 0, 'alpha [deg]': 90}\n  - {theta: q2, d: 0, a: 400, alpha: 0}\n",
@@ -422,6 +453,14 @@ def test_rows_of_numbers_get_the_joints_that_are_said() -> None:
         ("a,alpha,d,theta\n1,0,0,q1\n", {"convention": "standrad"}, "did you mean standard"),
         ("a,alpha,d,theta\n1,0,0,q1\n", {"convention": "standard", "units": "mn"}, "mn is no unit of length"),
         ("a,alpha,d,theta\n1,0,0,q1\n", {"convention": "standard", "tip": "t"}, "only a URDF has links"),
+        (ARM_URDF, {"units": "mm"}, "lengths of a URDF are in metres, not in mm (divide them in the file"),
+        (
+            "x: {x: 1, y: 0, z: 0, roll: 0, pitch: 0, yaw: 0}",
+            {"units": "cm"},
+            "lengths of a kinematics file of ROS are",
+        ),
+        (ARM_URDF, {"joints": "RR"}, "a URDF says itself what its joints do (leave --joints out)"),
+        ("SerialLink([Link([0 0 1 0])])", {"joints": "R"}, "a listing of a robotics toolbox says itself what its"),
         ("hello", {}, "none of the forms"),
         ("<sdf/>", {}, "this is an SDF"),
     ],

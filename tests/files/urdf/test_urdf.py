@@ -253,13 +253,19 @@ def with_change(old: str, new: str) -> str:
     [
         (THREE, "has 2 tips: which one?"),
         (with_change('type="revolute"', 'type="floating"'), "is floating, which is no joint of one variable"),
-        (with_change('type="revolute"', 'type="hinge"'), "there is no type hinge"),
+        (with_change('type="revolute"', 'type="hinge"'), "there is no type hinge (write revolute)"),
+        (with_change('type="prismatic"', 'type="Linear"'), "there is no type Linear (write prismatic)"),
         (with_change('<parent link="upper"/>', '<parent link="uper"/>'), "its parent uper is no link"),
         (with_change('<parent link="upper"/>', ""), "joint elbow has no <parent link=...>"),
         (with_change('<child link="fore"/>', '<child link="base_link"/>'), "is below itself: a loop"),
         (with_change('<child link="fore"/>', '<child link="upper"/>'), "is moved by shoulder already: a loop"),
         (with_change('<link name="fore"/>', '<link name="upper"/>'), "two links called upper"),
         (with_change('xyz="0 0 0.3"', 'xyz="0 0"'), "three numbers are wanted"),
+        (with_change('xyz="0 0 0.3"', 'xyz="0,0,0.25"'), "wanted, not '0,0,0.25' (write xyz=\"0 0 0.25\")"),
+        (with_change('<axis xyz="0 0 1"/>', '<axis xyz="0 1"/>'), "wanted, not '0 1' (write xyz=\"0 0 1\")"),
+        (with_change('rpy="0 0 0"', 'rpy="-pi/2 0 0"'), "'-pi/2' is no number (write -1.5708)"),
+        (with_change('rpy="0 0 0"', 'rpy="90deg 0 0"'), "'90deg' is no number (write 1.5708)"),
+        (with_change('rpy="0 0 0"', 'rpy="up 0 0"'), "rpy: 'up' is no number"),
         (with_change('xyz="0 0 0.3"', 'xyz="0 0 nan"'), "'nan' is no number"),
         (with_change('xyz="0 0 0.3"', 'xyz="0 0 ${h}"'), "this is a xacro"),
         (with_change("<robot", "<xacro:robot"), "this is a xacro"),
@@ -276,7 +282,8 @@ def with_change(old: str, new: str) -> str:
         (with_change('<?xml version="1.0"?>', '<!DOCTYPE r [<!ENTITY a "b">]>'), "a DOCTYPE is not read"),
         ("<svg/>", "<svg> is no URDF"),
         ("<sdf/>", "this is an SDF"),
-        ("<robot name='x'>", "is no XML"),
+        ("<robot name='x'>", "is no XML: no element found (is the file cut off? <robot> has no end)"),
+        ("<robot name='a&b'/>", "is &amp;"),
         ("<robot name='x'/>", "has no link"),
         ("<robot name='x'>" + "<a>" * 200 + "</a>" * 200 + "</robot>", "deeper than"),
     ],
@@ -287,6 +294,14 @@ def test_what_is_wrong_with_a_urdf_is_said(text: str, said: str) -> None:
     with pytest.raises(FileError) as caught:
         read_urdf(text, "arm.urdf", "arm", tip=tip)
     assert said in str(caught.value)
+
+
+@pytest.mark.parametrize(("limit", "is_told"), [("170", True), ("-170", True), ("18.8", False), ("1e16", False)])
+def test_limits_that_are_hardly_radians_are_told(limit: str, is_told: bool) -> None:
+    """Beyond three turns, unless they stand for none."""
+    text = THREE.replace('lower="-3.14" upper="3.14"', f'lower="{min(0, float(limit))}" upper="{max(0, float(limit))}"')
+    said = [one for one in read_urdf(text, "x", "x", tip="tool0").remarks if one.startswith("limits of shoulder: ")]
+    assert bool(said) is is_told
 
 
 def test_all_that_is_wrong_with_its_numbers_and_types_is_said_at_once() -> None:

@@ -66,7 +66,7 @@ def test_bare_numbers_of_other_files_are_metres_as_ever(tmp_path: Path) -> None:
     """And an unknown unit is told with those there are."""
     bare = loaded(MILLIMETRES.replace("units: mm\n", ""), tmp_path)
     assert str(bare.parameters["l"]) == "300"
-    with pytest.raises(FileError, match=r"units: 'inch' is no unit of length") as caught:
+    with pytest.raises(FileError, match=r"units: 'inch' is not known") as caught:
         loaded(MILLIMETRES.replace("units: mm", "units: inch"), tmp_path)
     assert "in" in caught.value.problems[0].hint
 

@@ -8,7 +8,7 @@ import pytest
 from dhcli.kinematics.inverse.arm import Arm, Axis
 from dhcli.kinematics.inverse.matrices import Actions, acting, forms, value_of
 from dhcli.kinematics.inverse.motions import CIRCLE, DIRECTION, LINE, POINT
-from dhcli.kinematics.inverse.polishing import motion
+from dhcli.kinematics.inverse.polishing import motions
 from tests.kinematics.inverse.arms import CLASSES, random_arm
 
 KINDS = [DIRECTION, POINT, LINE, CIRCLE]
@@ -45,9 +45,10 @@ def test_a_joint_acts_by_three_constant_matrices(kind: int, name: str) -> None:
     arm = random_arm(CLASSES[name], np.random.default_rng(4))
     actions = Actions(arm)
     values = np.array([-2.0, 0.3, 1.4])
+    moved = motions(arm, np.tile(values[:, None], len(arm.axes)))
     for j, axis in enumerate(arm.axes):
         there = actions.moved(kind, j, value_of(values, turns=axis.turns))
-        assert np.allclose(there, acting(kind, motion(axis, values)), atol=1e-12)
+        assert np.allclose(there, acting(kind, moved[j]), atol=1e-12)
         back = actions.moved(kind, j, value_of(values, turns=axis.turns), back=True)
         assert np.allclose(there @ back, np.eye(len(there[0])), atol=1e-12)
 
@@ -56,12 +57,13 @@ def test_what_a_run_of_joints_leaves_fixed_stays_where_it_is() -> None:
     """Three axes that meet leave their point, parallel axes their direction and the planes across it."""
     arm = random_arm(CLASSES["spherical wrist, two parallel"], np.random.default_rng(5))
     actions = Actions(arm)
+    turned = motions(arm, np.full((1, len(arm.axes)), 0.7))
     for run, counts in (((3, 4, 5), (0, 2, 0, 1)), ((1, 2), (1, 2, 1, 1)), ((0,), (1, 3, 2, 4))):
         for kind, count in zip(KINDS, counts, strict=True):
             things = actions.fixed(kind, run)
             assert len(things) == count
             for j in run:
-                moved = acting(kind, motion(arm.axes[j], np.array([0.7])))[0]
+                moved = acting(kind, turned[j])[0]
                 assert np.allclose(moved @ things.T, things.T, atol=1e-9)
 
 
