@@ -127,7 +127,11 @@ def without_words(text: str, scope: Scope) -> str:
     if not is_bracketed(rest):
         return text
     word = match["words"]
-    if scope.has(word) or (scope.is_open and word.islower() and len(word.rstrip("0123456789_{}'")) == 1):
+    if (
+        scope.readings(word)
+        or scope.split(word)
+        or (scope.is_open and word.islower() and len(word.rstrip("0123456789_{}'")) == 1)
+    ):
         raise UnreadableError(
             f"{word} stands before the bracket: write {word} = for its name, {word}*[...] for a factor"
         )
