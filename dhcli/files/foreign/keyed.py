@@ -22,11 +22,13 @@ def keyed_rows(text: str, source: str) -> tuple[list[RowText], tuple[str, ...]]:
         No rows where there is no such list, or the text is neither YAML nor JSON.
 
     Raises:
-        FileError: A row lacks a column that the first has.
+        FileError: A row lacks a column that the first has; or it is not what the end of its name promises.
     """
     try:
         root = read_yaml(text, source, is_foreign=True)
     except FileError:
+        if source.lower().endswith((".json", ".yaml", ".yml")):
+            raise
         return [], ()
     listed = next(filter(None, map(_rows, _nodes(root))), ())
     besides = {key.text: None for row in listed for key, _ in row.entries if named(key.text).column not in READ}

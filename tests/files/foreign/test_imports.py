@@ -443,6 +443,14 @@ def test_rows_with_keys_are_refused_at_their_place(text: str, said: str) -> None
     assert said in str(caught.value)
 
 
+def test_json_that_is_broken_is_told_where_its_name_promises_json() -> None:
+    """Elsewhere a text may be anything."""
+    with pytest.raises(FileError, match=r"arm.json:1:1: this '{' is never closed"):
+        import_robot('{"a": 1', "arm.json", Wish("arm", "standard"))
+    with pytest.raises(FileError, match="none of the forms"):
+        imported('{"a": 1', convention="standard")
+
+
 def test_rows_with_keys_say_no_convention_either() -> None:
     """Unless their file speaks of one."""
     with pytest.raises(FileError, match=r"the text above it says modified"):
