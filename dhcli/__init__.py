@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from dhcli.errors import DhcliError as DhcliError
     from dhcli.files.library.entries import list_robots as list_robots
     from dhcli.files.yaml.exercises import load_exercise as load_exercise
+    from dhcli.files.yaml.linkages import load_linkage as load_linkage
     from dhcli.files.yaml.robots import load_robot as load_robot
     from dhcli.geometry.many import axis_angles as axis_angles
     from dhcli.geometry.many import quaternions as quaternions
@@ -49,6 +50,8 @@ if TYPE_CHECKING:
     from dhcli.kinematics.velocity.rates import velocity_of as velocity_of
     from dhcli.kinematics.velocity.statics import symbolic_torques as symbolic_torques
     from dhcli.kinematics.velocity.statics import torques as torques
+    from dhcli.mobility.finding import mobility_of as mobility_of
+    from dhcli.mobility.result import Mobility as Mobility
     from dhcli.render.pictures.picture import Picture as Picture
     from dhcli.render.pictures.picture import draw as draw
 
@@ -57,6 +60,7 @@ __version__ = "0.1.0"
 _HOMES = {
     "DhcliError": "dhcli.errors",
     "Jacobian": "dhcli.kinematics.velocity.jacobian",
+    "Mobility": "dhcli.mobility.result",
     "Picture": "dhcli.render.pictures.picture",
     "Pose": "dhcli.kinematics.pose",
     "Rates": "dhcli.kinematics.velocity.rates",
@@ -78,8 +82,10 @@ _HOMES = {
     "in_motors": "dhcli.kinematics.motors",
     "in_numbers": "dhcli.kinematics.inverse.solutions",
     "limits_of": "dhcli.kinematics.inverse.turns",
+    "load_linkage": "dhcli.files.yaml.linkages",
     "load_robot": "dhcli.files.yaml.robots",
     "manipulability": "dhcli.kinematics.velocity.measures",
+    "mobility_of": "dhcli.mobility.finding",
     "quaternions": "dhcli.geometry.many",
     "roll_pitch_yaw": "dhcli.geometry.many",
     "singularities": "dhcli.kinematics.singular.finding",
@@ -94,6 +100,7 @@ _HOMES = {
 __all__ = [
     "DhcliError",
     "Jacobian",
+    "Mobility",
     "Picture",
     "Pose",
     "Rates",
@@ -116,8 +123,10 @@ __all__ = [
     "limits_of",
     "list_robots",
     "load_exercise",
+    "load_linkage",
     "load_robot",
     "manipulability",
+    "mobility_of",
     "quaternions",
     "roll_pitch_yaw",
     "singularities",

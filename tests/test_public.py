@@ -37,6 +37,8 @@ MADE: dict[str, Callable[[], Any]] = {
     "Exercise": lambda: dhcli.load_exercise("planar-two-links"),
     "Jacobian": lambda: dhcli.symbolic_jacobian(two()),
     "Mark": lambda: dhcli.check(dhcli.load_exercise("planar-two-links"), "d02", "a1*c1, a1*s1, 0"),
+    "Linkage": lambda: dhcli.load_linkage("bennett"),
+    "Mobility": lambda: dhcli.mobility_of(dhcli.load_linkage("bennett")),
     "Path": lambda: dhcli.follow(arm(), poses(), near=Q),
     "Picture": lambda: dhcli.draw(two()),
     "Pose": lambda: dhcli.forward(arm(), Q),

@@ -25,6 +25,23 @@ INSTEAD = {
 ELSEWHERE = {"--rows": "rows of a file are read by fk, ik, draw and jacobian"}
 """Which commands have an option that is looked for in others."""
 
+CALLED = {
+    **dict.fromkeys(("forward", "fkine", "pose"), "fk"),
+    **dict.fromkeys(("inverse", "ikine", "solve"), "ik"),
+    **dict.fromkeys(("plot", "teach", "view", "render", "animate"), "draw"),
+    **dict.fromkeys(("convert", "export", "dh", "screws"), "describe"),
+    **dict.fromkeys(("mobility", "gruebler", "freedoms", "linkage"), "dof"),
+    **dict.fromkeys(("workspace", "reach"), "sweep"),
+    **dict.fromkeys(("velocity", "velocities", "speed"), "rates"),
+    **dict.fromkeys(("force", "forces", "statics"), "torques"),
+    **dict.fromkeys(("import", "create", "init"), "new"),
+    **dict.fromkeys(("compose", "multiply"), "transform"),
+    "info": "show",
+    "manual": "help",
+    "version": "--version",
+}
+"""What other programs and people call the commands."""
+
 BUGS = "please report it with the command you typed; DHCLI_DEBUG=1 shows where it happened"
 _STATUS = {"SIGTERM": ExitStatus.TERMINATED, "SIGHUP": ExitStatus.HUNG_UP}
 """The signals that ask a process to end, where the system has them, and the exit code that each leads to."""
@@ -86,7 +103,7 @@ def _run(words: list[str]) -> int:
 
 def usage_problem(error: Exception) -> Problem:
     """What typer found wrong with the words, said as dhcli says it."""
-    from dhcli.errors import did_you_mean, nearest
+    from dhcli.errors import nearest
 
     context = getattr(error, "ctx", None)
     path = context.command_path if context else "dhcli"
@@ -103,11 +120,12 @@ def usage_problem(error: Exception) -> Problem:
             if (instead := INSTEAD.get(option)) in takes:
                 similar = [str(instead)]
             near = f"did you mean {' or '.join(similar)}?" if similar else ELSEWHERE.get(option, "")
+            near = near or ("options stand behind the command" if path == "dhcli" else "")
             hint = f"{near}; {hint}" if near else hint
     elif message.startswith("No such command"):
         wanted = message.split("'")[1]
         message = f"there is no command {wanted}"
-        near = did_you_mean(wanted, context.command.list_commands(context)) if context else ""
+        near = _meant(wanted, context.command.list_commands(context)) if context else ""
         hint = f"{near}; {hint}" if near else hint
     elif message.startswith("Got unexpected extra argument"):
         behind = "joint values stand behind --q; " if "--q" in known else ""
@@ -121,6 +139,21 @@ def usage_problem(error: Exception) -> Problem:
             hint = f"{missing.make_metavar(context)} is {meant}; {hint}"
     message = message.replace("a valid int range", "a whole number").replace("a valid integer range", "a whole number")
     return Problem(message[:1].lower() + message[1:], Place(""), hint)
+
+
+def _meant(wanted: str, commands: Sequence[str]) -> str:
+    """What to type instead of a command that there is not: another one, or the page of the manual that has its name."""
+    from dhcli.errors import UnknownNameError, nearest
+    from dhcli.files.manual import find_topic
+
+    if meant := CALLED.get(wanted.lower(), ""):
+        return f"did you mean dhcli {meant}?"
+    if near := nearest(wanted, commands, cutoff=0.6):
+        return f"did you mean {' or '.join(near)}?"
+    try:
+        return f"dhcli help {find_topic(wanted).name} tells of it"
+    except UnknownNameError:
+        return ""
 
 
 @contextmanager

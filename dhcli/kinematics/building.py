@@ -7,22 +7,22 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TypeVar
 
-from dhcli.errors import NotationError, Place, Problem, RobotError, UnknownNameError, did_you_mean, plural
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
+from dhcli.errors import Place, Problem, RobotError, UnknownNameError, did_you_mean, plural
+from dhcli.kinematics.conventions import COLUMNS, TABLES, Convention, Row, moves_of
 from dhcli.kinematics.derived import Value
 from dhcli.kinematics.description import Description, Link
-from dhcli.kinematics.given import mapping_of, text_of, texts_of, tuple_of, value_of
-from dhcli.kinematics.moves import read_chain
+from dhcli.kinematics.given import chain_of, mapping_of, text_of, texts_of, tuple_of, value_of
+from dhcli.kinematics.moves import Chain, read_chain
 from dhcli.kinematics.values import parameter_values
 from dhcli.notation.angle import Angle
+from dhcli.notation.dimensions import read_at
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, to_angle, to_length
+from dhcli.notation.quantity import to_angle, to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
 
 Cell = float | str
 _A_ROW = "each is a mapping with a, alpha, d, theta, or these four in this order"
-_A_TOOL = "write moves, 'Trans(0, 0, 0.1)'"
 _ROUND = 15
 """Whole multiples of this, beyond a turn, are degrees: nobody means 90 rad."""
 Made = TypeVar("Made", bound=Description)
@@ -39,7 +39,7 @@ def from_dh(
     name: str = "robot",
 ) -> Made:
     """A robot from the rows of its table; what is taken is told by `Robot.from_dh`."""
-    if text_of(convention, "convention", "standard or modified") not in ("standard", "modified"):
+    if text_of(convention, "convention", "standard or modified") not in TABLES:
         raise UnknownNameError(f"there is no convention {convention}", "standard or modified")
     given = {} if parameters is None else mapping_of(parameters, "parameters")
     named, called = texts_of(variables, "variables", 'write ["theta1", "d2"]'), text_of(name, "name")
@@ -56,23 +56,29 @@ def from_dh(
 def copy(
     robot: Made,
     *,
-    tool: str | None = None,
-    base: str | None = None,
+    tool: object = None,
+    base: object = None,
     parameters: Mapping[str, float | str | Value] | None = None,
     name: str | None = None,
 ) -> Made:
     """The same robot with something changed; what is taken is told by `Robot.copy`."""
     scope = Scope(lengths=tuple(robot.parameters))
-    named = {"tool": robot.tools, "base": {}}
     ends = {
-        end: named[end].get(text_of(text, end, _A_TOOL).strip(), ())
-        or (read_chain(text, scope, Place(end)) if text.strip() else ())
-        for end, text in (("tool", tool), ("base", base))
-        if text is not None
+        end: _end(given, end, scope, named)
+        for end, given, named in (("tool", tool, robot.tools), ("base", base, {}))
+        if given is not None
     }
     values = robot.parameters if parameters is None else {**robot.parameters, **parameter_values(robot, parameters)}
     called = robot.name if name is None else text_of(name, "name")
     return replace(robot, name=called, parameters=values, path=None, **ends)  # type: ignore[arg-type]
+
+
+def _end(given: object, end: str, scope: Scope, named: Mapping[str, Chain]) -> Chain:
+    """Moves by name, as text with the robot's lengths in it, or as a matrix."""
+    if not isinstance(given, str):
+        return chain_of(given, end)
+    text = given.strip()
+    return named.get(text) or (read_chain(given, scope, Place(end)) if text else ())
 
 
 def _row(row: object, number: int, scope: Scope) -> Row:
@@ -97,10 +103,7 @@ def _length(cell: object, scope: Scope, place: Place) -> Expr:
         if isinstance(found, Angle):
             raise RobotError(Problem("an angle, and a length is wanted", place, "write 0.4 or '400 mm'"))
         return found
-    try:
-        return to_length(parse(cell, scope, place))
-    except DimensionError as error:
-        raise NotationError(Problem(error.message, place, error.hint)) from None
+    return read_at(place, to_length, parse(cell, scope, place))
 
 
 def _angle(cell: object, scope: Scope, place: Place) -> Angle:
@@ -112,7 +115,4 @@ def _angle(cell: object, scope: Scope, place: Place) -> Angle:
             hint = f"write '{cell:g}°', or radians: math.radians({cell:g})"
             raise RobotError(Problem(f"{cell:g} rad is {abs(cell) / math.tau:.3g} turns", place, hint))
         return found
-    try:
-        return to_angle(parse(cell, scope, place), bare="refuse")
-    except DimensionError as error:
-        raise NotationError(Problem(error.message, place, error.hint)) from None
+    return read_at(place, to_angle, parse(cell, scope, place), bare="refuse")

@@ -12,27 +12,28 @@ from fractions import Fraction
 from numbers import Complex, Real
 from typing import Any
 
-from dhcli.errors import NotationError, Place, RobotError
+from dhcli.errors import Place, RobotError
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, read_chain
 from dhcli.notation.angle import Angle
+from dhcli.notation.dimensions import read_at
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope
-from dhcli.notation.tree import Expr, Number, number
+from dhcli.notation.tree import ONE, ZERO, Expr, Number, number
 
-_A_CHAIN = 'write "Trans(0, 0, l3) Rot(x, 90°)", or give Rot, Trans and Fixed moves'
+_A_CHAIN = 'write "Trans(0, 0, l3) Rot(x, 90°)", or give a matrix of shape (4, 4), or Rot, Trans and Fixed moves'
 _A_VALUE = 'write 0.4, "400 mm", "90°", or None for one that stays open'
 
 
 def chain_of(given: object, part: str) -> Chain:
-    """Moves, or a text that spells them.
+    """Moves, or a text that spells them, or a pose or its matrix, which is one move.
 
     Args:
         given: What the caller gave.
         part: What to call it in a message: `tool`, `base`.
 
     Raises:
-        RobotError: It is neither.
+        RobotError: It is none of them; whether the first three columns of a matrix are a rotation is not asked here.
         NotationError: The text cannot be read, with the column.
     """
     if isinstance(given, str):
@@ -40,11 +41,29 @@ def chain_of(given: object, part: str) -> Chain:
     if isinstance(given, Rot | Trans | Fixed):
         return (given,)
     moves: list[Move] = []
-    for move in tuple_of(given, part, _A_CHAIN):
+    parts = tuple_of(getattr(given, "rows", given), part, _A_CHAIN)
+    if parts and all(isinstance(each, Iterable) and not isinstance(each, str) for each in parts):
+        return (_fixed(parts, part),)
+    for move in parts:
         if not isinstance(move, Rot | Trans | Fixed):
             raise RobotError(f"{part}: {_shown(move)} is no move", _A_CHAIN)
         moves.append(move)
     return tuple(moves)
+
+
+def _fixed(rows: tuple[object, ...], part: str) -> Fixed:
+    """The move that a matrix is.
+
+    Raises:
+        RobotError: It is no matrix of a pose.
+    """
+    entries = [tuple_of(row, part, _A_CHAIN) for row in rows]
+    if [*map(len, entries)] != [4] * 4:
+        raise RobotError(f"{part}: a pose is a matrix of shape (4, 4)", _A_CHAIN)
+    found = [[value_of(entry, part, is_angle=False) for entry in row] for row in entries]
+    if found[3] != [ZERO, ZERO, ZERO, ONE]:
+        raise RobotError(f"{part}: the last row of a pose is 0 0 0 1", "see that rows and columns are not exchanged")
+    return Fixed(tuple((row[0], row[1], row[2], row[3]) for row in found[:3]))  # type: ignore[misc]
 
 
 def text_of(given: object, part: str, hint: str = "") -> str:
@@ -149,10 +168,7 @@ def coordinates(point: Iterable[Any]) -> list[Expr]:
         if isinstance(coordinate, Expr):
             found.append(coordinate)
         elif isinstance(coordinate, str):
-            try:
-                found.append(to_length(parse(coordinate, OPEN)))
-            except DimensionError as error:
-                raise NotationError(error.message, error.hint) from None
+            found.append(read_at(None, to_length, parse(coordinate, OPEN)))
         else:
             try:
                 found.append(number(Fraction(repr(real(coordinate)))))

@@ -186,23 +186,24 @@ class Robot(Description):
     def copy(
         self,
         *,
-        tool: str | None = None,
-        base: str | None = None,
+        tool: object = None,
+        base: object = None,
         parameters: Mapping[str, float | str | Value] | None = None,
         name: str | None = None,
     ) -> Robot:
         """The same robot with another tool, base or other lengths.
 
         Args:
-            tool: One of its tools by name, or the moves from its last frame to the tool, such as `"Trans(0, 0, 0.1)"`;
-                empty for none.
-            base: Moves from the base to its first frame.
+            tool: One of its tools by name, or where the tool is seen from its last frame: moves as text, such as
+                `"Trans(0, 0, 0.1)"`, empty for none, or a pose, or a matrix of shape (4, 4).
+            base: Likewise where its first frame is seen from the base.
             parameters: Lengths and angles instead of its own, in metres and radians or as text.
             name: What the copy is called.
 
         Raises:
             UnknownNameError: It has no such length.
             NotationError: The moves cannot be read.
+            RobotError: A matrix is no pose.
         """
         from dhcli.kinematics.building import copy
 

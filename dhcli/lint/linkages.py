@@ -9,7 +9,7 @@ from dhcli.kinematics.validity import Finding
 from dhcli.lint import lengths
 from dhcli.lint.wording import unfinished
 from dhcli.mobility.counting import Counts
-from dhcli.mobility.finding import analyse
+from dhcli.mobility.finding import mobility_of
 from dhcli.mobility.linkage import Linkage
 
 
@@ -23,7 +23,7 @@ def findings(linkage: Linkage | Counts) -> Iterator[Finding]:
     yield from _half_placed(linkage)
     if not linkage.is_placed:
         return
-    found = analyse(linkage)  # what keeps it from being analysed is a finding too: see `kept`
+    found = mobility_of(linkage)  # what keeps it from being analysed is a finding too: see `kept`
     if found.mobility is None:
         hint = "are the lengths exact? expressions keep them so"
         yield Finding((), f"the geometry does not decide the mobility: {found.certificate}", hint)

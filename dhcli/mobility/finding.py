@@ -22,16 +22,24 @@ ALL = "The geometry settles it, for this position and this assembly."
 OPEN_CHAIN = "An open chain has no loop: every joint moves freely, so the formula is the truth."
 
 
-def analyse(what: Linkage | Counts, tolerance: float = 0.0) -> Mobility:
-    """Find out all that an input can settle.
+def mobility_of(what: Linkage | Counts, tolerance: float = 0.0) -> Mobility:
+    """The freedoms of a linkage: what the formula gives, how many it truly has, and why they differ.
+
+    >>> from dhcli import load_linkage, mobility_of
+    >>> found = mobility_of(load_linkage("bennett"))
+    >>> found.gruebler, found.mobility, found.motion
+    (-2, 1, '0T1R')
 
     Args:
         what: A linkage with or without geometry, or bare counts.
         tolerance: Relative error of rounded input, 3·10^-decimals of a drawing; 0 for exact input.
 
     Raises:
-        LinkageError: The tolerance or the geometry makes no sense.
+        LinkageError: It is no linkage, or the tolerance or the geometry makes no sense.
     """
+    if not isinstance(what, Linkage | Counts):
+        hint = f"load_linkage({what!r}) loads one" if isinstance(what, str) else "load_linkage loads one"
+        raise LinkageError(f"a Linkage is wanted, not {what!r:.60}", hint)
     if not 0 <= tolerance < 0.1:  # noqa: PLR2004  a tenth of the size is no drawing
         raise LinkageError(f"a tolerance of {tolerance:g} is not read", "it is relative to the size, such as 0.003")
     if isinstance(what, Counts):

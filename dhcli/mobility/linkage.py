@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from functools import cached_property
 
-from dhcli.errors import Problem, did_you_mean
+from dhcli.errors import Problem, did_you_mean, plural
 from dhcli.frozen import frozen
 from dhcli.geometry.vectors import Vector, dot, length
 from dhcli.kinematics.validity import Finding
@@ -123,6 +123,10 @@ class Linkage:
         """Refuse to exist with anything wrong."""
         if findings := tuple(_findings(self)):
             raise InvalidLinkageError(findings)
+
+    def __repr__(self) -> str:
+        """One line, as the prompt shows it."""
+        return f"<Linkage {self.name}: {self.title}, {plural(len(self.links), 'link')} {self.pattern}>"
 
     @cached_property
     def links(self) -> tuple[str, ...]:

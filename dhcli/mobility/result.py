@@ -53,6 +53,11 @@ class Mobility:
     reasons: tuple[str, ...] = ()
     settles: str = ""
 
+    def __repr__(self) -> str:
+        """One line, as the prompt shows it; `dhcli dof` and the attributes have the rest."""
+        found = "unknown" if self.mobility is None else self.mobility
+        return f"<Mobility of {self.counts.title or 'a linkage'}: {found}; by the formula {self.counts.by_freedoms}>"
+
     @property
     def gruebler(self) -> int | None:
         """F of the formula; None where it is itself a formula in names."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from dhcli.mobility.counting import Counts
-from dhcli.mobility.finding import analyse
+from dhcli.mobility.finding import mobility_of
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.pairs import LinkageError
 from dhcli.mobility.patterns import other_reading, read_pattern
@@ -32,7 +32,7 @@ def count(what: str, linkage: Linkage | Counts | str) -> int:
     linkage = read_pattern(linkage) if isinstance(linkage, str) else linkage
     counts = Counts.of(linkage) if isinstance(linkage, Linkage) else linkage
     if what == "mobility":
-        found = analyse(linkage)
+        found = mobility_of(linkage)
         if found.mobility is None:
             raise LinkageError(f"the mobility of {counts.title} is not known: {found.certificate or found.settles}")
         return found.mobility
@@ -108,7 +108,7 @@ def _slips(what: str, linkage: Linkage | Counts) -> Iterator[tuple[str, int]]:
 
 def _about_truth(what: str, linkage: Linkage | Counts) -> Iterator[tuple[str, int]]:
     """Slips that take the truth for the formula, or know it only in part."""
-    found = analyse(linkage)
+    found = mobility_of(linkage)
     if found.idle and found.mobility is not None:
         yield "idle freedoms are left out", found.mobility - len(found.idle)
     if what == "gruebler" and found.mobility is not None:

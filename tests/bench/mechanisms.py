@@ -10,7 +10,7 @@ from pathlib import Path
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from dhcli.mobility.finding import analyse
+from dhcli.mobility.finding import mobility_of
 from tests.mobility.mechanisms import MECHANISMS, linkage
 
 
@@ -23,7 +23,7 @@ def main() -> None:
     for name, mechanism in MECHANISMS.items():
         subject = linkage(name)
         start = time.perf_counter()
-        found = analyse(subject)
+        found = mobility_of(subject)
         times.append((time.perf_counter() - start) * 1000)
         truth = mechanism["truth"]
         got = (found.gruebler, found.instantaneous, found.mobility, len(found.idle))

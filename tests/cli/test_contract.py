@@ -1,5 +1,6 @@
 """What scripts rely on: exit codes, the keys of the JSON envelope, and which stream has what."""
 
+import json
 import os
 import signal
 import subprocess
@@ -9,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from dhcli.cli import app
-from dhcli.cli.main import main
+from dhcli.cli.main import CALLED, main
 from tests.cli.running import Run, nobody_reads
 from tests.row_by_row import row_by_row
 
@@ -298,7 +299,38 @@ def test_help_has_a_short_name(dhcli: Run, words: str) -> None:
 def test_a_word_that_is_no_command_is_answered_in_whole_sentences(dhcli: Run) -> None:
     """Also where no command is like it."""
     assert "hint: dhcli --help shows what can be typed" in dhcli("xyzzy").err
-    assert "hint: did you mean sweep or show or help?; dhcli" in dhcli("swep").err
+    assert "hint: did you mean sweep?; dhcli --help" in dhcli("swep").err
+
+
+@pytest.mark.parametrize(
+    ("word", "hint"),
+    [
+        ("forward", "did you mean dhcli fk?"),
+        ("Ikine", "did you mean dhcli ik?"),
+        ("mobility", "did you mean dhcli dof?"),
+        ("version", "did you mean dhcli --version?"),
+        ("jacobean", "did you mean jacobian?"),
+        ("code", "dhcli help code tells of it"),
+        ("urdf", "dhcli help urdf tells of it"),
+    ],
+)
+def test_a_command_by_another_name_is_told_by_its_own(dhcli: Run, word: str, hint: str) -> None:
+    """That of another program, one mistyped, or a word that is a page of the manual."""
+    assert f"hint: {hint}; dhcli --help shows what can be typed" in dhcli(word).err
+
+
+def test_each_command_that_another_word_is_told_as_is_there(dhcli: Run) -> None:
+    """With a page of its own; and no other word is a command itself."""
+    for command in sorted({*CALLED.values()}):
+        assert dhcli(command, *(() if command.startswith("-") else ("--help",))).code == 0
+    assert not {*CALLED} & {*app.COMMANDS}
+
+
+def test_an_option_before_its_command_is_told_to_stand_behind_it(dhcli: Run) -> None:
+    """And the answer in JSON names the command."""
+    done = dhcli("--format", "json", "fk", "scara")
+    assert "hint: options stand behind the command; dhcli --help" in done.err
+    assert json.loads(done.out)["command"] == "fk"
 
 
 def test_an_option_with_one_value_is_not_given_twice(dhcli: Run) -> None:

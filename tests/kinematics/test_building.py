@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
 
-from dhcli import DhcliError, Robot, forward, list_robots, load_robot
+from dhcli import DhcliError, Robot, forward, inverse, list_robots, load_robot
 from dhcli.errors import RobotError
 from dhcli.files.urdf.writing import urdf_text
 from dhcli.files.yaml.robots import read_robot
@@ -156,6 +157,7 @@ def test_a_robot_of_screws_moves_as_the_product_of_their_exponentials(frame: str
         ([(0, 0, 1, 0, 0, float("nan"))], "", "nan is no value"),
         ([(0, 0, 1, 0, 0, 0)], np.eye(3), "shape (4, 4)"),
         ([(0, 0, 1, 0, 0, 0)], np.diag([1, 1, 2, 1]), "home"),
+        ([(0, 0, 1, 0, 0, 0)], UR5_HOME.T, "the last row of a pose is 0 0 0 1 (see that rows and columns"),
         ([(0, 0, 1, 0, 0, 0)], "Trans(l, 0, 0)", "no value"),
         ([(0, 0, 1, 0, 0, 0)], 5, "home"),
     ],
@@ -264,4 +266,39 @@ def test_rows_that_are_none_are_refused(rows: list[object], said: str) -> None:
     """With the row."""
     with pytest.raises(DhcliError) as caught:
         Robot.from_dh(rows, variables=["theta1"])  # type: ignore[arg-type]
+    assert said in str(caught.value)
+
+
+def test_a_tool_or_a_base_may_be_a_pose_or_its_matrix() -> None:
+    """As a calibration gives it, in whatever holds numbers."""
+    robot, q = load_robot("ur5e"), [0.1, -0.7, 0.4, 1, 0.3, -0.2]
+    pose = forward(robot, "work")
+    matrix = pose.matrix
+    expected = forward(robot, q).matrix
+    for given in (pose, matrix, matrix.tolist()):
+        with_tool = robot.copy(tool=given)
+        assert np.allclose(forward(with_tool, q, end="tool").matrix, expected @ matrix, atol=1e-14)
+        assert np.allclose(forward(robot.copy(base=given), q, start="base").matrix, matrix @ expected, atol=1e-14)
+        assert replace(robot, tool=given) == with_tool
+    back = inverse(robot.copy(tool=pose), expected @ matrix, end="tool")
+    assert len(back) == 8
+    assert robot.copy(tool=robot.tool) == robot
+
+
+@pytest.mark.parametrize(
+    ("tool", "said"),
+    [
+        (np.eye(3), "tool: a pose is a matrix of shape (4, 4)"),
+        (UR5_HOME.T, "tool: the last row of a pose is 0 0 0 1 (see that rows and columns are not exchanged)"),
+        (np.diag([1, 2, 1, 1]), "tool: column 2 is not a unit vector"),
+        (np.full((4, 4), np.nan), "tool: nan is no value"),
+        (5, "tool: 5 is no list"),
+        ([[1, 2], 3], "tool: [1, 2] is no move"),
+        ("grip", "grip"),
+    ],
+)
+def test_what_is_no_tool_is_refused(tool: object, said: str) -> None:
+    """With what it is."""
+    with pytest.raises(DhcliError) as caught:
+        load_robot("ur5e").copy(tool=tool)
     assert said in str(caught.value)

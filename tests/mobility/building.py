@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from dhcli.geometry.vectors import Vector
-from dhcli.mobility.finding import analyse
+from dhcli.mobility.finding import mobility_of
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.pairs import PLANAR, SPATIAL, pair_of
 from dhcli.mobility.result import Mobility
@@ -31,9 +31,9 @@ def joint(
 
 def planar(joints: Sequence[Joint], output: str = "", tolerance: float = 0.0) -> Mobility:
     """The answer about a planar linkage whose ground is called g."""
-    return analyse(Linkage("test", PLANAR, tuple(joints), "g", output), tolerance)
+    return mobility_of(Linkage("test", PLANAR, tuple(joints), "g", output), tolerance)
 
 
 def spatial(joints: Sequence[Joint], output: str = "", tolerance: float = 0.0) -> Mobility:
     """The answer about a spatial linkage whose ground is called g."""
-    return analyse(Linkage("test", SPATIAL, tuple(joints), "g", output), tolerance)
+    return mobility_of(Linkage("test", SPATIAL, tuple(joints), "g", output), tolerance)

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli.mobility.copies import mapped
-from dhcli.mobility.finding import analyse
+from dhcli.mobility.finding import mobility_of
 from dhcli.mobility.linkage import Joint
 from dhcli.mobility.result import Mobility
 from tests.mobility.building import joint, planar, spatial
@@ -176,7 +176,7 @@ def test_a_motion_with_a_short_range_is_not_taken_for_a_high_order(angle: float,
 
 def test_the_locked_3_upu_is_proved_rigid() -> None:
     """No combination of its two forms is definite, but they have no common zero."""
-    found = analyse(linkage("snu3upu_locked"))
+    found = mobility_of(linkage("snu3upu_locked"))
     assert (found.mobility, found.instantaneous, found.order) == (0, 2, 2)
     assert found.certificate.startswith("exact: the second order test")
 
@@ -268,9 +268,9 @@ def test_the_two_motions_of_a_flat_parallelogram_are_both_told(base: float) -> N
 )
 def test_a_rounded_drawing_gets_no_certificate_that_is_not_one(name: str, decimals: int) -> None:
     """What is shaky is not taken for a motion because the gap hides in the tolerance; the motion is the exact one's."""
-    exact = analyse(linkage(name))
+    exact = mobility_of(linkage(name))
     drawn = mapped(linkage(name), lambda p: np.round(p, decimals), lambda d: np.round(d / np.linalg.norm(d), decimals))
-    found = analyse(drawn, 3 * 10.0**-decimals)
+    found = mobility_of(drawn, 3 * 10.0**-decimals)
     assert (found.mobility, found.motion) == (exact.mobility, exact.motion)
 
 

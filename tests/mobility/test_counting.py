@@ -6,7 +6,7 @@ import pytest
 
 from dhcli.errors import DhcliError
 from dhcli.mobility.counting import Counts, counts
-from dhcli.mobility.finding import analyse
+from dhcli.mobility.finding import mobility_of
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.pairs import PAIRS, PLANAR, SPATIAL, SPHERICAL, Space, pair_of, space_of
 from dhcli.mobility.patterns import count_of, joint_counts, other_reading, read_pattern
@@ -109,9 +109,9 @@ def test_the_other_reading_is_offered() -> None:
 
 def test_an_answer_says_what_it_could_settle() -> None:
     """Counts give the formula only; an open chain is certain."""
-    assert analyse(read_pattern("loop 6R")).mobility is None
-    assert analyse(read_pattern("6R")).certificate.startswith("exact")
-    assert analyse(counted("n-RPS")).gruebler is None
+    assert mobility_of(read_pattern("loop 6R")).mobility is None
+    assert mobility_of(read_pattern("6R")).certificate.startswith("exact")
+    assert mobility_of(counted("n-RPS")).gruebler is None
 
 
 @row_by_row("text", ["", "6", "6X", "-3R", "0-UPS", "loop R", "loop", "99999999R", "a-b", "6-", "RR RX"])

@@ -10,7 +10,7 @@ from dhcli.files.library.entries import Kind, entries
 from dhcli.files.yaml import coordinates
 from dhcli.files.yaml.linkages import find_linkage, load_linkage, read_linkage
 from dhcli.mobility.counting import Counts
-from dhcli.mobility.finding import analyse
+from dhcli.mobility.finding import mobility_of
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.pairs import LETTERS, PLANAR, SPATIAL, pair_of
 from dhcli.mobility.slips import count, slips
@@ -78,7 +78,7 @@ def test_every_linkage_of_the_library_is_known_here() -> None:
 def test_a_linkage_of_the_library_has_its_numbers(name: str) -> None:
     """Formula and truth; each is explained for those who learn the format from it."""
     linkage = load_linkage(name)
-    found = analyse(linkage)
+    found = mobility_of(linkage)
     assert (found.gruebler, found.mobility) == LIBRARY[name]
     if isinstance(linkage, Linkage):
         assert linkage.title
@@ -108,7 +108,7 @@ def test_the_forms_of_a_four_bar_agree() -> None:
         "space: planar\nchain: ground R a R b R c R ground\n",
         "lambda: 3\nlinks: 4\njoints: 4R\n",
     ]
-    found = [analyse(read(form)) for form in forms]
+    found = [mobility_of(read(form)) for form in forms]
     assert [one.gruebler for one in found] == [1, 1, 1, 1]
     assert [one.mobility for one in found] == [1, 1, None, None]
 
@@ -229,7 +229,7 @@ def loop(theta: str) -> str:
 
 def test_a_loop_of_dh_rows_must_close() -> None:
     """And says how far it is from it."""
-    found = analyse(read(loop("90°")))
+    found = mobility_of(read(loop("90°")))
     assert (found.gruebler, found.mobility) == (-2, 1)
     (message,) = problems(loop("89°"))
     assert message.startswith("loop: the loop does not close: the last frame is 0.0498 m and 4° away")
@@ -246,13 +246,13 @@ def test_a_wheel_without_a_pin_is_refused() -> None:
     text = "space: planar\njoints: [ground R a, {type: gear, links: [a, b], carrier: ground, radii: [1, 2]}]\n"
     linkage = read(FOUR_BAR.replace("space: planar\n", "") + text.replace("ground R a", "ground R a at A"))
     with pytest.raises(DhcliError, match="nothing but gear teeth holds b"):
-        analyse(linkage)
+        mobility_of(linkage)
 
 
 def test_a_very_long_chain_is_answered_in_bounded_time() -> None:
     """10,000 joints: an open chain is exact, a loop without geometry is the formula."""
-    assert analyse(find_linkage("10000R")).mobility == 10_000
-    assert analyse(find_linkage("loop 10000R")).gruebler == 9994
+    assert mobility_of(find_linkage("10000R")).mobility == 10_000
+    assert mobility_of(find_linkage("loop 10000R")).gruebler == 9994
     with pytest.raises(DhcliError):
         find_linkage("100000R")
 
@@ -271,7 +271,7 @@ def test_a_key_given_twice_hides_nothing_else() -> None:
 
 def test_a_joint_given_in_words_is_counted() -> None:
     """In a file as on the command line."""
-    found = analyse(read("space: planar\nlinks: 6\njoints: 4 pin 1 slot\n"))
+    found = mobility_of(read("space: planar\nlinks: 6\njoints: 4 pin 1 slot\n"))
     assert (str(found.counts.j), str(found.counts.sum_f), found.gruebler) == ("5", "6", 6)
 
 
@@ -284,7 +284,7 @@ def test_a_loop_of_a_thousand_joints_is_answered(spatial: bool) -> None:
     for i in range(1000):
         point, axis = draw.normal(size=(2, 3)) if spatial else ((*draw.normal(size=2), 0.0), (0.0, 0.0, 1.0))
         joints.append(Joint(LETTERS["R"], (names[i], names[i + 1]), str(i), tuple(point), tuple(axis)))
-    found = analyse(Linkage("ring", SPATIAL if spatial else PLANAR, tuple(joints), "g"))
+    found = mobility_of(Linkage("ring", SPATIAL if spatial else PLANAR, tuple(joints), "g"))
     assert (found.mobility, found.gruebler) == ((994, 994) if spatial else (997, 997))
     assert len(found.singular_values) == (6 if spatial else 3)
 
@@ -294,7 +294,7 @@ def test_a_long_loop_of_dh_rows_closes() -> None:
     count = 1000 if NIGHT else 300
     row = f"{{a: 1, alpha: 0, d: 0, theta: 360°/{count}}}"
     text = "space: spatial\nloop:\n  convention: standard\n  rows: [" + ", ".join([row] * count) + "]\n"
-    assert analyse(read(text)).mobility == count - 3
+    assert mobility_of(read(text)).mobility == count - 3
 
 
 def test_many_bars_between_two_links_are_answered() -> None:
@@ -304,7 +304,7 @@ def test_many_bars_between_two_links_are_answered() -> None:
     joints = tuple(
         Joint(pair_of("bar"), ("g", "body"), str(i), tuple(a), other=tuple(b)) for i, (a, b) in enumerate(ends)
     )
-    found = analyse(Linkage("bars", SPATIAL, joints, "g", "body"))
+    found = mobility_of(Linkage("bars", SPATIAL, joints, "g", "body"))
     assert (found.mobility, found.redundant) == (0, count - 6)
     assert found.kept is not None
     assert found.kept <= 1
@@ -313,7 +313,7 @@ def test_many_bars_between_two_links_are_answered() -> None:
 def test_a_linkage_too_large_for_its_geometry_keeps_its_formula() -> None:
     """And says so."""
     lines = [f"  - {i or 'ground'} R {i + 1 if i < 5999 else 'ground'} at {'AB'[i % 2]}" for i in range(6000)]
-    found = analyse(read("space: planar\npoints: {A: [0, 0], B: [1, 0]}\njoints:\n" + "\n".join(lines) + "\n"))
+    found = mobility_of(read("space: planar\npoints: {A: [0, 0], B: [1, 0]}\njoints:\n" + "\n".join(lines) + "\n"))
     assert (found.gruebler, found.mobility, found.bounds) == (5997, None, None)
     assert "more than 5,000 links" in found.settles
 
@@ -328,3 +328,16 @@ def test_more_names_than_a_person_writes_are_refused(monkeypatch: pytest.MonkeyP
         f"let: more than {most:,} names are not read",
         "x is not a name that is known here",
     ]
+
+
+def test_a_linkage_and_its_mobility_show_themselves_in_a_line() -> None:
+    """As the prompt shows them; and what is no linkage is refused by what it is."""
+    assert repr(load_linkage("slider-crank")) == "<Linkage slider-crank: Slider-crank, 4 links 3R 1P>"
+    assert (
+        repr(mobility_of(load_linkage("delta"))) == "<Mobility of Delta robot with pairs of rods: 9; by the formula 9>"
+    )
+    many = mobility_of(load_linkage("ring-of-arms"))
+    assert repr(many) == "<Mobility of Platform on n RPS legs: unknown; by the formula 6 - n>"
+    for given, said in (("bennett", r"load_linkage\('bennett'\) loads one"), (None, "not None")):
+        with pytest.raises(DhcliError, match=said):
+            mobility_of(given)  # type: ignore[arg-type]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from dhcli.mobility.copies import mapped
-from dhcli.mobility.finding import analyse
+from dhcli.mobility.finding import mobility_of
 from dhcli.mobility.large import large_mobility
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.model import model_of
@@ -25,7 +25,7 @@ every = pytest.mark.parametrize("name", MECHANISMS)
 @cache
 def analysed(name: str) -> Mobility:
     """What is found about a mechanism, for all that is said of it."""
-    return analyse(linkage(name))
+    return mobility_of(linkage(name))
 
 
 @every
@@ -95,7 +95,7 @@ REASONS = {
 @pytest.mark.parametrize("name", REASONS)
 def test_the_reason_is_the_one_of_the_textbooks(name: str) -> None:
     """In words that a student understands."""
-    assert REASONS[name] in " ".join(analyse(linkage(name)).reasons)
+    assert REASONS[name] in " ".join(mobility_of(linkage(name)).reasons)
 
 
 ROUNDED = ("parallel4", "bennett", "sarrus", "hoberman6", "goldberg5r", "bricard_line")
@@ -110,7 +110,7 @@ def rounded(original: Linkage, decimals: int) -> Linkage:
 @pytest.mark.parametrize("name", ROUNDED)
 def test_a_rounded_drawing_is_understood_with_a_tolerance(name: str, decimals: int) -> None:
     """3·10^-decimals is enough for it."""
-    found = analyse(rounded(linkage(name), decimals), 3 * 10.0**-decimals)
+    found = mobility_of(rounded(linkage(name), decimals), 3 * 10.0**-decimals)
     assert found.mobility in (MECHANISMS[name]["truth"]["dof"], None)
     assert found.instantaneous == MECHANISMS[name]["truth"]["inst"]
 
@@ -118,6 +118,6 @@ def test_a_rounded_drawing_is_understood_with_a_tolerance(name: str, decimals: i
 def test_the_order_of_a_shaky_structure_is_told() -> None:
     """Leonardo's structure of order 4 resists later than the usual ones."""
     orders: dict[str, Any] = {
-        name: analyse(linkage(name)).order for name in ("collinear2", "snu3upu_locked", "leonardo2")
+        name: mobility_of(linkage(name)).order for name in ("collinear2", "snu3upu_locked", "leonardo2")
     }
     assert orders == {"collinear2": 2, "snu3upu_locked": 2, "leonardo2": 4}

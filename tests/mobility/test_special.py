@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from dhcli.geometry.vectors import Vector
-from dhcli.mobility.finding import analyse
+from dhcli.mobility.finding import mobility_of
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.pairs import PLANAR, SPATIAL, pair_of
 
@@ -25,7 +25,7 @@ def vectors(count: int, seed: int = 0) -> list[Vector]:
 
 def figures(linkage: Linkage) -> tuple[int | None, int | None, int | None]:
     """Formula, instantaneous and true mobility."""
-    found = analyse(linkage)
+    found = mobility_of(linkage)
     return found.gruebler, found.instantaneous, found.mobility
 
 
@@ -72,7 +72,7 @@ def test_a_folded_rhombus_has_no_idle_freedom() -> None:
     """It turns about one double pin or about the other, never about both."""
     places = [("g", "a", ORIGIN), ("a", "c", X), ("c", "b", ORIGIN), ("b", "g", X)]
     joints = tuple(Joint(pair_of("R"), (first, second), first + second, point) for first, second, point in places)
-    found = analyse(Linkage("rhombus", PLANAR, joints, "g"))
+    found = mobility_of(Linkage("rhombus", PLANAR, joints, "g"))
     assert (found.idle, found.instantaneous, found.mobility) == ((), 2, 1)
 
 

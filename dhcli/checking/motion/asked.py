@@ -14,8 +14,9 @@ from dhcli.kinematics.frames import ORIGIN, Point, ends, frame
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.form import Form
 from dhcli.kinematics.velocity.view import MotionView, joints_between
+from dhcli.notation.dimensions import read_at
 from dhcli.notation.matrix import parse_matrix
-from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.quantity import to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Expr
 from dhcli.notation.walk import symbols_in
@@ -135,10 +136,7 @@ def vector(text: str, scope: Scope, place: Place | None) -> tuple[Expr, ...]:
         NotationError: They cannot be read.
     """
     cells = [cell.expr for row in parse_matrix(f"[{text.strip()[1:-1]}]", scope, place) for cell in row]
-    try:
-        return tuple(map(to_length, cells))
-    except DimensionError as error:
-        raise NotationError(Problem(error.message, place, error.hint)) from None
+    return tuple(read_at(place, to_length, cell) for cell in cells)
 
 
 def three(text: str, scope: Scope, place: Place | None) -> tuple[Expr, Expr, Expr]:

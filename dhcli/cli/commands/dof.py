@@ -75,7 +75,7 @@ def dof(
 ) -> None:
     """Count the freedoms of a linkage, say whether the formula can be trusted, and find the true mobility."""
     from dhcli.errors import DhcliError
-    from dhcli.mobility.finding import analyse
+    from dhcli.mobility.finding import mobility_of
 
     if chosen.stands and not what:
         raise DhcliError("joint values are those of a robot", "dhcli dof puma560 --pose zero")
@@ -83,7 +83,7 @@ def dof(
     kind = "mobility at joint values" if chosen.stands else "mobility"
     delivery = out.delivery("dof", kind)
     tolerance = tol or 0.0
-    mobility = analyse(_meant(chosen, counted, tolerance), tolerance)
+    mobility = mobility_of(_meant(chosen, counted, tolerance), tolerance)
     if not chosen.stands:
         delivery.hand_over(kind, mobility)
         return

@@ -157,5 +157,5 @@ def wants_json(words: Sequence[str]) -> bool:
 
 
 def command_of(words: Sequence[str]) -> str:
-    """The command that was typed."""
-    return next((word for word in words if not word.startswith("-")), "")
+    """The command that was typed, also behind an option that should stand behind it."""
+    return next((word for before, word in pairwise(("", *words)) if word[:1] != "-" and before != "--format"), "")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any, TypeVar, get_args
+from typing import TypeVar, get_args
 
 from dhcli.errors import RobotError, UnknownNameError, did_you_mean, plural
 from dhcli.geometry.orthonormal import not_a_rotation
@@ -15,7 +15,7 @@ from dhcli.kinematics.describe.products import chains_of
 from dhcli.kinematics.describe.screws import ScrewAxis, Side, lines_of
 from dhcli.kinematics.description import Description, Link
 from dhcli.kinematics.given import chain_of, text_of, texts_of, tuple_of, value_of
-from dhcli.kinematics.moves import Chain, Fixed, Move
+from dhcli.kinematics.moves import Fixed
 from dhcli.notation.tree import ONE
 
 Made = TypeVar("Made", bound=Description)
@@ -71,7 +71,7 @@ def _six(row: object, number: int) -> tuple[Vector, Point]:
 
 def _end(home: object) -> Frame:
     """The end frame, from moves or from a matrix."""
-    chain = _chain(home)
+    chain = chain_of(home, "home")
     for move in chain:
         if isinstance(move, Fixed) and (fault := not_a_rotation(move.rows)):
             raise RobotError(f"home: {fault}", "its first three columns must be perpendicular unit vectors")
@@ -79,17 +79,3 @@ def _end(home: object) -> Frame:
     if not length(found.x) or set(found.origin) - {ONE}:
         raise RobotError("home: a length has no value", _A_HOME)
     return found
-
-
-def _chain(home: object) -> Chain:
-    if isinstance(home, str):
-        return chain_of(home, "home")
-    rows: Any = getattr(home, "rows", home)
-    try:
-        entries = [[value_of(entry, "home", is_angle=False) for entry in row] for row in rows]
-    except TypeError:
-        return chain_of(home, "home")
-    if [len(row) for row in entries] != [4] * 4:
-        raise RobotError("home: a pose is a matrix of shape (4, 4)", _A_HOME)
-    fixed: Move = Fixed(tuple((row[0], row[1], row[2], row[3]) for row in entries[:3]))  # type: ignore[misc]
-    return (fixed,)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import combinations
 from itertools import product as every
 
@@ -39,7 +39,7 @@ def singularities(
     *,
     start: str | int | None = None,
     end: str | int | None = None,
-    point: Sequence[float | str] | None = None,
+    point: Iterable[float | str] | None = None,
     part: Which | None = None,
     parameters: Given | None = None,
 ) -> Singularities:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, TypeAlias, Unpack
 
 import numpy as np
@@ -79,8 +79,8 @@ class Rates:
 def joint_rates(
     robot: Robot,
     q: JointInput = None,
-    velocity: Sequence[float] | None = None,
-    angular: Sequence[float] | None = None,
+    velocity: Iterable[float] | None = None,
+    angular: Iterable[float] | None = None,
     *,
     damping: float = 0.0,
     parameters: Given | None = None,
@@ -117,8 +117,8 @@ def rates_at(
     robot: Robot,
     values: Values,
     view: MotionView,
-    velocity: Sequence[float] | None,
-    angular: Sequence[float] | None,
+    velocity: Iterable[float] | None,
+    angular: Iterable[float] | None,
     damping: float,
 ) -> Rates:
     """The same at known values; see `joint_rates`."""
@@ -183,7 +183,7 @@ def _full_rank(matrix: Table, robot: Robot, values: Values, view: MotionView, pa
 def velocity_of(
     robot: Robot,
     q: JointInput,
-    rates: Sequence[float],
+    rates: Iterable[float],
     *,
     parameters: Given | None = None,
     **viewing: Unpack[Viewing],
@@ -210,7 +210,7 @@ def velocity_of(
     return moved(found.rows, found.joints, rates)
 
 
-def moved(rows: Sequence[Sequence[float]], joints: Sequence[str], rates: Sequence[float]) -> tuple[float, ...]:
+def moved(rows: Sequence[Sequence[float]], joints: Sequence[str], rates: Iterable[float]) -> tuple[float, ...]:
     """Rows of a Jacobian times joint rates.
 
     Raises:

@@ -73,8 +73,8 @@ class Torques(Generic[N]):
 def torques(
     robot: Robot,
     q: JointInput = None,
-    force: Sequence[float] = ORIGIN,
-    moment: Sequence[float] = ORIGIN,
+    force: Iterable[float] = ORIGIN,
+    moment: Iterable[float] = ORIGIN,
     *,
     parameters: Given | None = None,
     **viewing: Unpack[Viewing],
@@ -110,8 +110,8 @@ def torques(
 def symbolic_torques(
     robot: Robot,
     q: JointInput = None,
-    force: Sequence[float | str] = ("f_x", "f_y", "f_z"),
-    moment: Sequence[float | str] = ORIGIN,
+    force: Iterable[float | str] = ("f_x", "f_y", "f_z"),
+    moment: Iterable[float | str] = ORIGIN,
     *,
     parameters: Given | None = None,
     **viewing: Unpack[Viewing],
@@ -159,7 +159,7 @@ def products(rows: Iterable[Sequence[Expr]], column: Sequence[Expr]) -> tuple[Ex
     return tuple(settled(sum_of_products(plain(row), plain(column)), TERMS) for row in rows)
 
 
-def three_numbers(given: Sequence[float], what: str) -> Triple[float]:
+def three_numbers(given: Iterable[float], what: str) -> Triple[float]:
     """Three real numbers.
 
     Raises:
@@ -175,7 +175,7 @@ def three_numbers(given: Sequence[float], what: str) -> Triple[float]:
     return three
 
 
-def three_terms(given: Sequence[float | str], what: str) -> Triple[Expr]:
+def three_terms(given: Iterable[float | str], what: str) -> Triple[Expr]:
     """Three expressions, of numbers and text with any names.
 
     Raises:

@@ -39,7 +39,7 @@ class Viewing(TypedDict, total=False):
     end: str | int | None
     axes: str | int | None
     place: str | int | None
-    point: Sequence[float | str] | None
+    point: Iterable[float | str] | None
 
 
 @frozen
@@ -90,7 +90,7 @@ def check_rates(rates: Sized, joints: Sequence[str], place: Place | None = None)
         raise RobotError(Problem(message, place, f"one for each of {', '.join(joints)}"))
 
 
-def offset_of(point: Sequence[float | str] | None) -> Point:
+def offset_of(point: Iterable[float | str] | None) -> Point:
     """A point that a person gives, in numbers [m] or names; the origin if they give none.
 
     Raises:

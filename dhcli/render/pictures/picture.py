@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from dhcli.errors import DhcliError, RobotError, plural
+from dhcli.frozen import FrozenDict
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.sweep.workspace import Workspace
 from dhcli.kinematics.values import JointInput, given_parameters, joint_values
@@ -182,9 +183,9 @@ def draw(  # noqa: PLR0913  a figure has as many sides
     seen = None if view is None else view_given(view)
     if isinstance(what, Robot):
         _check_poses(what, q, pose, to)
-    moving: dict[str, Any] = {"to": to, "path": _rows(what, path)}
+    moving: dict[str, Any] = {"to": _own(to), "path": _rows(what, path)}
     other: dict[str, Any] = {"beside": beside, "workspace": workspace}
-    return Picture(what, q, pose, seen, size, dark, worksheet, table, given, **moving, **other)
+    return Picture(what, _own(q), pose, seen, size, dark, worksheet, table, given, **moving, **other)
 
 
 def _check_poses(robot: Robot, q: JointInput, pose: str | None, to: JointInput) -> None:
@@ -193,6 +194,13 @@ def _check_poses(robot: Robot, q: JointInput, pose: str | None, to: JointInput) 
         posed(robot, q, pose, {}, "rad")
     if to is not None:
         joint_values(robot, to)
+
+
+def _own(q: JointInput) -> JointInput:
+    """Joint values as the picture keeps them: it is drawn when it is shown, and a program goes on with its array."""
+    if q is None or isinstance(q, str):
+        return q
+    return FrozenDict(q) if isinstance(q, Mapping) else tuple(q)
 
 
 def _rows(what: Robot | Linkage, path: Rows) -> Rows:

@@ -222,3 +222,15 @@ def test_a_row_that_is_no_number_has_no_manipulability() -> None:
     assert found[1] == pytest.approx(0.12 * math.sin(0.2))
     with pytest.raises(RobotError):
         manipulability(load_robot("planar-2r"), [0.1, math.nan])
+
+
+def test_vectors_and_points_may_be_arrays() -> None:
+    """Of either precision, for whoever checks types too."""
+    robot, q = load_robot("ur5e"), np.linspace(0.1, 0.6, 6)
+    v, w, rates = np.array([1.0, 2, 3]), np.array([0.5, 0.25, -1], np.float32), np.arange(6.0)
+    assert torques(robot, q, v, w, point=v) == torques(robot, q, (1, 2, 3), (0.5, 0.25, -1), point=(1, 2, 3))
+    assert joint_rates(robot, q, v, w) == joint_rates(robot, q, (1, 2, 3), (0.5, 0.25, -1))
+    assert velocity_of(robot, q, rates, point=w) == velocity_of(robot, q, range(6), point=(0.5, 0.25, -1))
+    assert np.array_equal(jacobian(robot, q, point=v), jacobian(robot, q, point=(1, 2, 3)))
+    arm = load_robot("planar-2r")
+    assert singularities(arm, point=np.array([0.1, 0, 0])) == singularities(arm, point=(0.1, 0, 0))

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 import pytest
 
 from dhcli import draw, load_robot
@@ -43,3 +45,17 @@ def test_what_no_picture_can_show_is_refused_at_once(given: dict[str, Any], said
 def test_a_view_is_a_name_or_two_angles(view: Any) -> None:  # noqa: ANN401  what a notebook may hand over
     """As text or as numbers."""
     assert draw(ARM, [0.1, 0.2], view=view).svg().startswith("<svg")
+
+
+@pytest.mark.parametrize("kind", [np.array, list, lambda q: dict(zip(ARM.variables, q, strict=True))])
+def test_a_picture_keeps_its_joint_values(kind: Callable[[Any], Any]) -> None:
+    """A loop goes on with its array, and pictures of before are shown after it."""
+    q, to = kind([0.1, 0.2]), kind([0.3, 0.4])
+    pictures = draw(ARM, q), draw(ARM, q, to=to)
+    same = draw(ARM, kind([0.1, 0.2])), draw(ARM, kind([0.1, 0.2]), to=kind([0.3, 0.4]))
+    assert pictures == same
+    assert hash(pictures) == hash(same)
+    for key in q if isinstance(q, dict) else range(2):
+        q[key], to[key] = 1, 2
+    assert [one.svg() for one in pictures] == [one.svg() for one in same]
+    assert draw(ARM, q).svg() != same[0].svg()

@@ -16,7 +16,7 @@ import pytest
 
 from dhcli import draw, forward, load_robot
 from dhcli.files.yaml.linkages import load_linkage, read_linkage
-from dhcli.mobility.finding import analyse
+from dhcli.mobility.finding import mobility_of
 from dhcli.mobility.linkage import Linkage
 from dhcli.render.pictures.picture import Picture
 from dhcli.scene.places import Places
@@ -249,7 +249,7 @@ def test_a_driven_linkage_keeps_together_and_comes_back(moved: Linkage, browser:
     """Out to both sides and back: all joints within 1e-9, and the drawing as it was where it has one freedom."""
     angles = (0.3, -0.4, 0.2)
     free, driven, back, home = browser.execute_script(DRIVEN, angles)
-    assert free == analyse(moved).instantaneous
+    assert free == mobility_of(moved).instantaneous
     for angle, (reached, gap, note) in zip(angles, driven, strict=True):
         assert gap < 1e-9
         assert note or reached == pytest.approx(angle, abs=1e-9)
