@@ -9,6 +9,8 @@ import os
 import signal
 import sys
 from collections.abc import Generator
+from contextlib import suppress
+from importlib import import_module
 from importlib.util import find_spec
 from itertools import count
 from pathlib import Path
@@ -27,6 +29,7 @@ _FIXED = {
     "COLUMNS": "80",
     "LINES": "24",
     "NO_COLOR": "1",
+    "OPENBLAS_NUM_THREADS": "1",  # as in every command; workers have all cores, and a thread that waits keeps one busy
     "PYTHONIOENCODING": "utf-8",  # of the processes that tests start; those about other encodings set their own
     "TERM": "xterm-256color",
 }
@@ -80,6 +83,17 @@ def pytest_unconfigure(config: pytest.Config) -> None:
     _HOMES.cleanup()
     if hasattr(config, "workerinput"):
         gc.freeze()
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection(session: pytest.Session) -> None:
+    """Have every other worker import all tests from the last to the first, so that none compiles what another has."""
+    config = session.config
+    number = getattr(config, "workerinput", {"workerid": "0"})["workerid"].removeprefix("gw")
+    if int(number) % 2 and config.args_source is pytest.Config.ArgsSource.TESTPATHS:
+        for path in sorted(Path(__file__).parent.rglob("test_*.py"), reverse=True):
+            with suppress(Exception, pytest.skip.Exception):  # told where it is collected
+                import_module(".".join(path.relative_to(config.rootpath).with_suffix("").parts))
 
 
 class Examples:

@@ -184,7 +184,9 @@ class Judge:
                 _refuse_lone_unit(case, text)
             return Judged(_credited(case, mark), reading)
         except WrongUnitError as error:
-            mark = Mark(Verdict.CANNOT_READ, answer.strip(), remarks=error.remarks, other_unit=error.unit)
+            is_there = unit_for_all(answer.strip())[1] == error.unit
+            said = (_lone(error.unit),) if is_there else error.remarks
+            mark = Mark(Verdict.CANNOT_READ, answer.strip(), remarks=said, other_unit=error.unit)
             return Judged(_credited(case, mark), reading)
         except UnreadableError as error:
             remarks = error.remarks
@@ -281,8 +283,13 @@ def _refuse_lone_unit(case: Case, text: str) -> None:
     except (UnreadableError, NotationError):
         return
     if mark.verdict not in UNSOLVED:
-        where = f"{unit} stands behind the last number alone"
-        raise UnreadableError(f"{where}: if it is that of all, write it behind each, or behind a bracket")
+        raise UnreadableError(_lone(unit))
+
+
+def _lone(unit: str) -> str:
+    return (
+        f"{unit} stands behind the last number alone: if it is that of all, write it behind each, or behind a bracket"
+    )
 
 
 def is_explained(part: Part, mark: Mark) -> bool:

@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 from dhcli.checking.lists import untransposed
 from dhcli.checking.pasted import UnreadableError
-from dhcli.errors import are
+from dhcli.errors import are, listed
 from dhcli.notation.brackets import OPENING, closing, depths, split
 from dhcli.notation.functions import FUNCTIONS
 from dhcli.notation.matrix import bracketed
@@ -24,6 +24,9 @@ XYZ: Naming = ("x", "y", "z")
 
 LONGEST = 2000
 """Characters of a list in which names are looked for."""
+
+MOST_TOLD = 3
+"""Names that are missing and are told."""
 
 MOST_INDEXED = 10
 """Rows or columns from which on J111 has two meanings."""
@@ -180,7 +183,9 @@ def _arranged(pairs: Sequence[tuple[str, str]], namings: Sequence[Naming]) -> li
         if places and not missing and not is_begun:  # `x = 1, y = 2, 3` is in order
             twice = next((pairs[i][0] for i, place in enumerate(places) if place in places[:i]), "")
             absent = [_said(name) for k, name in enumerate(naming) if k not in places]
-            missing = f"{twice} stands there twice" if twice else f"{', '.join(absent)} {are(len(absent))} missing"
+            missing = (
+                f"{twice} stands there twice" if twice else f"{listed(absent, MOST_TOLD)} {are(len(absent))} missing"
+            )
     if missing:
         raise UnreadableError(missing)
     return []
@@ -197,10 +202,10 @@ def _places(labels: Sequence[str], naming: Naming) -> tuple[int, ...]:
     if all(label in exact for label in labels):
         return tuple(map(exact.index, labels))
     tails = list(map(_tail, exact))
-    own = _ends(labels)
-    if len(set(tails)) < len(tails) or not own or not all(tail and tail in tails for tail in own):
-        return ()
-    return tuple(map(tails.index, own))
+    for own in (_ends(labels), _ends(labels, shortened=True)) if len(set(tails)) == len(tails) else ():
+        if own and all(tail and tail in tails for tail in own):
+            return tuple(map(tails.index, own))
+    return ()
 
 
 def _known(naming: Naming) -> Iterator[str]:
@@ -212,13 +217,13 @@ def _known(naming: Naming) -> Iterator[str]:
         yield from filter(None, tails)
 
 
-def _ends(labels: Sequence[str]) -> list[str]:
-    """The axis or index of each label; of the entries of a column, J11 and J21, the row. Empty for mixed ones."""
+def _ends(labels: Sequence[str], *, shortened: bool = False) -> list[str]:
+    """The axis or index of each label, empty for mixed ones; shortened, the row of entries J11 and J21 of a column."""
     tails = list(map(_tail, labels))
     heads = {label.removesuffix(tail) for label, tail in zip(labels, tails, strict=True)}
     if any(tail.isalpha() for tail in tails):
         return tails if len(heads) == 1 else []
-    if len(heads) == 1 and all(len(tail) == 2 for tail in tails):  # noqa: PLR2004
+    if shortened and len(heads) == 1 and all(len(tail) == 2 for tail in tails):  # noqa: PLR2004
         rows, columns = [tail[0] for tail in tails], [tail[1] for tail in tails]
         return rows if len(set(columns)) == 1 else columns if len(set(rows)) == 1 else tails
     return tails

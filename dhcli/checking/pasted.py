@@ -20,7 +20,7 @@ _ABOUT_NUMBER = regex(r"(?:(?<=[\[(,;&])[ \t]{0,9}|(?<=\d[ \t]))≈(?=[+−-]?[\
 _ABOUT_WORD = regex(r"^\s{0,9}(?:ca\.?|circa|about|approx(?:\.|imately)?|~|≃|≅)\s{0,9}(?=[\d.+−-])", re.IGNORECASE)  # noqa: RUF001
 _WORD = (
     r"(?:the|my|so|then|it|this|here|is|are|final|answer|ans|result|solution|matrix|vector|position|rotation|point|pose"
-    r"|table|dh|jacobian|product|column|[^\W\d_](?:\{?_?\{?\d{1,2}\}?'?){0,2})"
+    r"|table|dh|jacobian|se3|product|column|[^\W\d_](?:\{?_?\{?\d{1,2}\}?'?){0,2})"
 )
 _WORDS = regex(rf"\s*(?P<words>{_WORD}(?:[ \t]{{1,9}}{_WORD}){{0,5}})[ \t]{{0,9}}(?P<colon>:?)\s*", re.IGNORECASE)
 """What people write before the bracket of a matrix, or with a colon before its rows: words, a letter with indices."""

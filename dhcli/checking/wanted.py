@@ -18,8 +18,9 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.frames import View, frame
 from dhcli.kinematics.moves import Chain, Trans, read_chain
 from dhcli.kinematics.robot import Robot
+from dhcli.notation.dimensions import read_at
 from dhcli.notation.matrix import parse_matrix
-from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.quantity import to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
 from dhcli.regex import regex
@@ -153,7 +154,9 @@ def _wanted(text: str, scope: Scope, place: Place | None) -> Wanted:
             raise NotationError(Problem(f"a {match['kind']} has three coordinates, not {len(cells)}", place))
         kind: Piece = "point" if match["kind"] == "point" else "vector"
         measured = tuple(has_length_unit(cell) for cell in cells)
-        return Wanted(source, inverse, kind, point=tuple(_length(cell, place) for cell in cells), measured=measured)
+        return Wanted(
+            source, inverse, kind, point=tuple(read_at(place, to_length, cell) for cell in cells), measured=measured
+        )
     return Wanted(source, inverse, "rotation" if match["piece"] == "rotation" else "position")
 
 
@@ -163,13 +166,6 @@ def _rotation_from(text: str, scope: Scope, place: Place | None) -> Wanted:
     if any(isinstance(move, Trans) for move in chain):
         raise NotationError(Problem("a rotation is made of turns, and Trans is none", place, "rotation from rpy(...)"))
     return Wanted(Composed(chain, text), piece="rotation")
-
-
-def _length(expr: Expr, place: Place | None) -> Expr:
-    try:
-        return to_length(expr)
-    except DimensionError as error:
-        raise NotationError(Problem(error.message, place, error.hint)) from None
 
 
 def _source(text: str, scope: Scope, place: Place | None) -> tuple[Source, bool]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from dhcli.checking.pasted import is_bracketed
 from dhcli.notation.brackets import STEPS, depths
 from dhcli.regex import regex
@@ -9,6 +11,8 @@ from dhcli.regex import regex
 _GOES_ON = ("+", "-", "*", "/", "^", "=", ",", ";", "·", "...")
 """What the line of an unfinished answer ends in."""
 
+_HALF = regex(r"\s{0,9}(?:J_?\{?)?(?:v|w|ω|omega|R)[\w}]{0,4}\s{0,9}=", re.IGNORECASE)
+"""The name of one half of a Jacobian, or of the rotation of a pose: the other half may come in the next line."""
 _NUMBERS = regex(r"[-+−.\d][-+−.\deE/°]{0,40}(?:[ \t]{1,9}[-+−.\d][-+−.\deE/°]{0,40}){1,9}")  # noqa: RUF001
 
 
@@ -30,6 +34,11 @@ def is_whole_matrix(text: str, blank: tuple[int, int]) -> bool:
     rows, columns = blank
     if not is_closed(text):
         return False
+    between = ",;\n" if rows == 1 or "[[" in text else ";\n"
+    if _HALF.match(text) and _entries_in(text, between) < (columns if rows == 1 else rows):
+        return False
+    if _HALF.match(text) and text.count("=") > 1:
+        return text.rstrip(" '.").endswith(("]", ")"))
     if rows * columns == 1 or "\\end" in text or text.strip().startswith("[") or ends_in_bracket(text):
         return True
     apart = _outside_brackets(text)
@@ -45,6 +54,12 @@ def ends_in_bracket(text: str) -> bool:
     bare = text.strip()
     start = min((at for letter in "([" if (at := bare.find(letter)) >= 0), default=-1)
     return start >= 0 and not set(bare[:start]) & set(",;&\n") and is_bracketed(bare[start:])
+
+
+def _entries_in(text: str, signs: str) -> int:
+    """How many pieces stand between signs in the brackets of a text, one bracket behind each name."""
+    within = zip(text, depths(text), strict=True)
+    return sum(letter in signs and depth == 1 for letter, depth in within) + text.count("=")
 
 
 def _outside_brackets(text: str) -> str:

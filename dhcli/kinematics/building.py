@@ -7,16 +7,17 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TypeVar
 
-from dhcli.errors import NotationError, Place, Problem, RobotError, UnknownNameError, did_you_mean, plural
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
+from dhcli.errors import Place, Problem, RobotError, UnknownNameError, did_you_mean, plural
+from dhcli.kinematics.conventions import COLUMNS, TABLES, Convention, Row, moves_of
 from dhcli.kinematics.derived import Value
 from dhcli.kinematics.description import Description, Link
 from dhcli.kinematics.given import chain_of, mapping_of, text_of, texts_of, tuple_of, value_of
 from dhcli.kinematics.moves import Chain, read_chain
 from dhcli.kinematics.values import parameter_values
 from dhcli.notation.angle import Angle
+from dhcli.notation.dimensions import read_at
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, to_angle, to_length
+from dhcli.notation.quantity import to_angle, to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
 
@@ -38,7 +39,7 @@ def from_dh(
     name: str = "robot",
 ) -> Made:
     """A robot from the rows of its table; what is taken is told by `Robot.from_dh`."""
-    if text_of(convention, "convention", "standard or modified") not in ("standard", "modified"):
+    if text_of(convention, "convention", "standard or modified") not in TABLES:
         raise UnknownNameError(f"there is no convention {convention}", "standard or modified")
     given = {} if parameters is None else mapping_of(parameters, "parameters")
     named, called = texts_of(variables, "variables", 'write ["theta1", "d2"]'), text_of(name, "name")
@@ -102,10 +103,7 @@ def _length(cell: object, scope: Scope, place: Place) -> Expr:
         if isinstance(found, Angle):
             raise RobotError(Problem("an angle, and a length is wanted", place, "write 0.4 or '400 mm'"))
         return found
-    try:
-        return to_length(parse(cell, scope, place))
-    except DimensionError as error:
-        raise NotationError(Problem(error.message, place, error.hint)) from None
+    return read_at(place, to_length, parse(cell, scope, place))
 
 
 def _angle(cell: object, scope: Scope, place: Place) -> Angle:
@@ -117,7 +115,4 @@ def _angle(cell: object, scope: Scope, place: Place) -> Angle:
             hint = f"write '{cell:g}°', or radians: math.radians({cell:g})"
             raise RobotError(Problem(f"{cell:g} rad is {abs(cell) / math.tau:.3g} turns", place, hint))
         return found
-    try:
-        return to_angle(parse(cell, scope, place), bare="refuse")
-    except DimensionError as error:
-        raise NotationError(Problem(error.message, place, error.hint)) from None
+    return read_at(place, to_angle, parse(cell, scope, place), bare="refuse")

@@ -23,7 +23,10 @@ class Convention(StrEnum):
     PRODUCT = "product"
 
 
-OTHER = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
+TABLES = (Convention.STANDARD, Convention.MODIFIED)
+"""The conventions whose links are rows of a table."""
+
+OTHER = dict(zip(TABLES, TABLES[::-1], strict=True))
 """The convention for which that of a table is taken by mistake; a product has none."""
 
 
@@ -77,8 +80,7 @@ _ALONE = ("dh", "denavit-hartenberg")
 def conventions_in(text: str) -> frozenset[Convention]:
     """The conventions of tables that a text speaks of, in the words of books."""
     words = frozenset(_WORD.findall(text.lower()))
-    tables = (Convention.STANDARD, Convention.MODIFIED)
-    return frozenset(convention for convention in tables if words.intersection(_CALLED[convention]))
+    return frozenset(convention for convention in TABLES if words.intersection(_CALLED[convention]))
 
 
 def convention_hint(word: str, known: Iterable[str]) -> str:

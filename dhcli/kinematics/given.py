@@ -12,9 +12,10 @@ from fractions import Fraction
 from numbers import Complex, Real
 from typing import Any
 
-from dhcli.errors import NotationError, Place, RobotError
+from dhcli.errors import Place, RobotError
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, read_chain
 from dhcli.notation.angle import Angle
+from dhcli.notation.dimensions import read_at
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope
@@ -167,10 +168,7 @@ def coordinates(point: Iterable[Any]) -> list[Expr]:
         if isinstance(coordinate, Expr):
             found.append(coordinate)
         elif isinstance(coordinate, str):
-            try:
-                found.append(to_length(parse(coordinate, OPEN)))
-            except DimensionError as error:
-                raise NotationError(error.message, error.hint) from None
+            found.append(read_at(None, to_length, parse(coordinate, OPEN)))
         else:
             try:
                 found.append(number(Fraction(repr(real(coordinate)))))

@@ -4,23 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import field
-from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
+from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 from dhcli.algebra.arithmetic import plus
-from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.geometry.motion import dot, inverse, product
-from dhcli.kinematics.entries import DIGITS, cells_of, in_columns, latex_of
+from dhcli.kinematics.entries import DIGITS
 from dhcli.kinematics.given import are_floats, coordinates, float_coordinates, rows_of
-from dhcli.notation.styles import THETAS, Joints, identifier
+from dhcli.kinematics.matrix import Matrix, Rows
+from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Expr
-from dhcli.notation.walk import symbols_in
 
 if TYPE_CHECKING:
     import numpy as np
-    import sympy
-    from numpy.typing import DTypeLike, NDArray
+    from numpy.typing import NDArray
 
     from dhcli.geometry.euler import EulerAngles, RollPitchYaw
     from dhcli.geometry.motion import Motion
@@ -30,7 +28,7 @@ N = TypeVar("N")
 
 
 @frozen
-class Pose(Generic[N]):
+class Pose(Matrix[N]):
     """A homogeneous matrix with the names of its two frames.
 
     Frame letters cancel as in a book: `T_ab @ T_bc` is `T_ac`, and `T_ab @ p_b` is `p_a`.
@@ -76,17 +74,6 @@ class Pose(Generic[N]):
     def position(self) -> tuple[N, N, N]:
         """The origin of the frame described [m]."""
         return self.rows[0][3], self.rows[1][3], self.rows[2][3]
-
-    @property
-    def matrix(self) -> NDArray[np.float64]:
-        """The entries as a numpy array, shape (4, 4).
-
-        Raises:
-            RobotError: An entry holds a symbol.
-        """
-        import numpy as np
-
-        return np.array(self.in_numbers().rows, dtype=np.float64)
 
     @property
     def rpy(self) -> RollPitchYaw[float]:
@@ -137,6 +124,9 @@ class Pose(Generic[N]):
 
         return euler(axes, fixed=fixed).of(self.in_numbers().rotation)
 
+    def _numbers(self) -> Rows[float]:
+        return self.in_numbers().rows
+
     def in_numbers(self) -> Pose[float]:
         """This pose in floats: itself, or what its expressions come to where none holds a symbol.
 
@@ -145,21 +135,8 @@ class Pose(Generic[N]):
         """
         if not self.is_symbolic:
             return self  # type: ignore[return-value]
-        entries = [entry for row in self.rows for entry in row if isinstance(entry, Expr)]
-        if free := sorted(symbols_in(entries)):
-            hint = "forward(robot, q) gives numbers, and to_sympy() keeps the symbols"
-            raise RobotError(f"{self.name} is in symbols: {', '.join(free)}", hint)
-        floats = Floats()
-        rows = tuple(tuple(floats.value(entry) for entry in row) for row in self.rows)  # type: ignore[arg-type]
+        rows = self._floats(self.name, "forward(robot, q) gives numbers, and to_sympy() keeps the symbols")
         return Pose(rows, self.reference, self.frame, self.title, self.joints)
-
-    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:  # noqa: FBT001
-        """Let numpy read a pose as it reads nested lists."""
-        import numpy as np
-
-        if self.is_symbolic and (dtype is None or np.dtype(dtype) == np.dtype(object)):
-            return np.array(self.rows, dtype=object)
-        return np.array(self.in_numbers().rows, dtype=dtype)
 
     @overload
     def __matmul__(self, other: Pose[N]) -> Pose[N]: ...
@@ -226,43 +203,13 @@ class Pose(Generic[N]):
         rows = [[plus(zero, entry) for entry in row] for row in motion]
         return Pose((*map(tuple, rows), self.rows[3]), reference, frame, "", self.joints)  # type: ignore[arg-type]
 
-    def to_sympy(self) -> sympy.Matrix:
-        """The entries as a sympy matrix, shape (4, 4).
-
-        Its symbols are real ones, so that sympy simplifies more. `.subs({"theta1": 0})` means another symbol, of which
-        sympy knows nothing, and changes nothing: `.subs({pose.sympy_symbols["theta1"]: 0})` puts a value in.
-        """
-        from dhcli.algebra.symbolic import to_sympy_matrix
-
-        return to_sympy_matrix(self.rows)
-
-    @property
-    def sympy_symbols(self) -> dict[str, sympy.Symbol]:
-        """The symbols of `to_sympy()` by their names there, `theta1`, `a2`."""
-        from dhcli.algebra.symbolic import to_sympy
-        from dhcli.notation.tree import Symbol
-
-        entries = [entry for row in self.rows for entry in row if isinstance(entry, Expr)]
-        return {identifier(name): to_sympy(Symbol(name)) for name in sorted(symbols_in(entries))}
-
     def cells(self, style: str = "short", digits: int = DIGITS) -> tuple[tuple[str, ...], ...]:
-        """The entries as text, shape (4, 4): expressions in a notation, numbers rounded for people."""
-        return cells_of(self.rows, self.joints, style, digits)
-
-    def latex(self, digits: int = DIGITS) -> str:
-        """The matrix for a paper, without dollar signs."""
-        return latex_of(self.cells("latex", digits))
-
-    def __str__(self) -> str:
-        """The matrix in columns, without a heading."""
-        return in_columns(self.cells())
+        """The entries as text: expressions in a notation, numbers rounded for people."""
+        return self._written(self.joints, style, digits)
 
     def __repr__(self) -> str:
         """The name and the matrix, as a notebook or the prompt shows it."""
         return f"{self.name}:\n{self}"
-
-    def _repr_latex_(self) -> str:
-        return f"$\\displaystyle {self.latex()}$"
 
 
 def matrix_name(reference: str, frame: str) -> str:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dhcli.errors import Place
+from dhcli.files.keys.linkages import FORMS
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.unknown import meant
 
-IN_PLACE_OF = {"links": ("links", "axes", "screws"), "joints": ("joints", "chain", "bars", "loop")}
+IN_PLACE_OF = {"links": ("links", "axes", "screws"), "joints": FORMS}
 """Keys of which a file has one: what a rule calls the links of a robot, or the joints of a linkage."""
 
 

@@ -6,11 +6,17 @@ have. A number without a unit is a plain number beside one with a unit, whatever
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
+from typing import ParamSpec, TypeVar
 
+from dhcli.errors import NotationError, Place, Problem
 from dhcli.notation.angle import Rational
 from dhcli.notation.tree import Call, Constant, Expr, Number, Power, Product, Sum, Symbol, Trig, Unit
 from dhcli.notation.walk import rebuild, walk
+
+P = ParamSpec("P")
+R = TypeVar("R")
 
 LENGTH_UNITS = {
     "mm": Fraction(1, 1000),
@@ -54,6 +60,18 @@ class DimensionError(ValueError):
         super().__init__(message)
         self.message = message
         self.hint = hint
+
+
+def read_at(place: Place | None, read: Callable[P, R], *given: P.args, **named: P.kwargs) -> R:
+    """What a function such as `to_length` reads, at a place in a text.
+
+    Raises:
+        NotationError: It is of another kind than is wanted.
+    """
+    try:
+        return read(*given, **named)
+    except DimensionError as error:
+        raise NotationError(Problem(error.message, place, error.hint)) from None
 
 
 def dimension(expr: Expr) -> Rational | None:

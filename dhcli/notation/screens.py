@@ -25,7 +25,12 @@ _INDEX_IN_BRACKETS = regex(r"(?<=\w)_\(([\w+−-]{1,9})\)")  # noqa: RUF001
 _TIMES_TEN = regex(r"(?<=[\d.]) ?[xX] ?(?=10 ?(?:\^|\*\*|[⁻⁰¹²³⁴-⁹]))")
 """`8.66 x 10^-3`."""
 _NUMBER_OF_EQUATION = regex(r"\\q?quad\s{0,9}\([0-9]{1,3}\.[0-9]{1,3}\)\s{0,99}$")
-_ROWS_OF_EQUATIONS = regex(r"^\s*\\begin\{array\}\s*\{[rcl ]{1,9}\}|\\end\{array\}\s*$")
+_ROWS_OF_EQUATIONS = regex(
+    r"^\s*(?:\\left\s?\\?[{.]\s{0,9})?\\begin\{(?:array\}\s*\{[rcl ]{1,9}|cases)\}"
+    r"|\\end\{(?:array|cases)\}\s{0,9}(?:\\right\s?\\?[}.])?\s*$"
+)
+_WRAPPED = regex(r"〖([A-Za-z]{1,9})〗")
+"""A function as Word sets one that has an exponent, `〖cos〗^(-1)`."""
 _HEADING = regex(
     r"^(?:\S{1,20} of .{1,80}: frame \S{1,12} seen from frame \S{1,12}|(?:standard DH|modified DH|product of moves)\b.*"
     r"|[xyz]' points along .*)$"
@@ -97,14 +102,15 @@ def unstyled(text: str) -> str:
 
     if "■" in text or "█" in text:
         text = text.replace("■", "").replace("█", "").replace("@", ";")
-    text = _LOWERED.sub(index, text)
+    text = _LOWERED.sub(index, _WRAPPED.sub(r"\1", text))
     styled = "".join(normalize("NFKC", one) if _STYLED.match(one) else one for one in text)
     return "".join(_SIGNS.get(one, one) for one in _MIXED.sub(r"(\1+\2)", styled))
 
 
 def equations(text: str) -> str:
-    r"""A list of equations without the `\begin{array}{rcl}` around it."""
-    return _ROWS_OF_EQUATIONS.sub(" ", text) if "\\begin{array}" in text and "=" in text else text
+    r"""A list of equations without the `\begin{array}{rcl}` or `\begin{cases}` around it."""
+    is_list = "=" in text and ("\\begin{array}" in text or "\\begin{cases}" in text)
+    return _ROWS_OF_EQUATIONS.sub(" ", text) if is_list else text
 
 
 def with_factor(text: str) -> str:

@@ -66,6 +66,25 @@ READ = [
     ("motion/planar-jacobian", "singular", "θ2 = 0/π", ("0/π", "90°/270")),
     ("motion/planar-jacobian", "singular", "sin(θ2) = 0°/2", ("sin", "cos")),
     ("yim/dh-process", "against", "a1c1+a2c_{1-2}, a1s1+a2s_{1-2}, d1-d2", ("s_{1-", "s_{1+")),
+    (
+        ARM,
+        "d02",
+        r"\left\{\begin{array}{l} x = a_1 c_1 + a_2 c_{12} \\ y = a_1 s_1 + a_2 s_{12} \\ z = 0 \end{array}\right.",
+        ("+ a_2 s", "- a_2 s"),
+    ),
+    (
+        ARM,
+        "d02",
+        r"\begin{cases} y = a_1 s_1 + a_2 s_{12} \\ x = a_1 c_1 + a_2 c_{12} \\ z = 0 \end{cases}",
+        ("+ a_2 s", "- a_2 s"),
+    ),
+    (FORMULAS, "elbow", "θ_2=±〖cos〗^(-1)\u2061((p_x^2+p_y^2-a_1^2-a_2^2)/(2a_1 a_2 ))", ("-a_2^2", "+a_2^2")),
+    (
+        "bajd/scara-pose-in-m",
+        "t03",
+        "SE3:  0.766  -0.6428  0  0.0435\n 0.6428  0.766  0  0.399\n 0  0  1  0.25\n 0  0  0  1",
+        ("0.25", "0.35"),
+    ),
     (ARM, "table", "a = a1, α = 0, d = 0, θ = θ1; a = a2, α = 0, d = 0, θ = θ2", ("a = a2", "a = a1")),
     (
         ARM,
@@ -254,6 +273,7 @@ RATES, POSE, TURN = "motion/planar-rates-in-numbers", "bajd/scara-pose-in-m", "i
         (RATES, "load", "403.65 -31.38 Ncm", "Ncm"),
         (RATES, "load", "4036.5, -313.8 N mm", "N mm"),
         (RATES, "rates", "29.04, -64.64 °/s", "°/s"),
+        (POSE, "tool", "43.5, 399, 250 mm", "mm"),
     ],
 )
 def test_a_unit_behind_the_last_number_alone_is_asked_about(exercise: str, part: str, answer: str, unit: str) -> None:

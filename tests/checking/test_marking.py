@@ -596,6 +596,11 @@ HOSTILE = {
     "bars": "|" * 24_000,
     "equals": "x=" * 12_000,
     "one long name": "c1s2" * 15_000,
+    "named numbers": "x = 1, " * 8_000,
+    "halves": "v = (1, 2, 3), " * 4_000,
+    "minutes": "2°28" * 12_000,
+    "degrees in words": "2 deg 28 min " * 4_000,
+    "words": "the answer is " * 4_000,
     "moves": "Rot(z, 1)" * 5_000,
     "inverses": "inv(" * 6_000,
     "unit vectors": "i+" * 12_000,
@@ -613,7 +618,7 @@ HOSTILE = {
 }
 
 
-@pytest.mark.parametrize(("name", "index_of_kind"), paired([*HOSTILE], range(10)))
+@pytest.mark.parametrize(("name", "index_of_kind"), paired([*HOSTILE], range(12)))
 def test_hostile_texts_end_at_a_cap(name: str, index_of_kind: int) -> None:
     """For one part of each kind, with a message, and without a control character on the way out."""
     exercise, part = one_of_each_kind()[index_of_kind]
@@ -640,6 +645,8 @@ def one_of_each_kind() -> tuple[tuple[Exercise, Part], ...]:
         ("yim/dh-factors", "order"),
         ("yim/planar-linkages", "f4"),
         ("yim/standard-configurations", "height"),
+        ("inverse/planar-joints-in-numbers", "all"),
+        ("motion/planar-jacobian", "whole"),
     ]
     return tuple((load_exercise(name), load_exercise(name).part(part)) for name, part in wanted)
 

@@ -88,6 +88,13 @@ def test_answers_with_words_around_them_are_judged(exercise: str, part: str, ans
     assert found.verdict is verdict, found.remarks
 
 
+def test_two_solutions_that_are_one_are_counted_twice() -> None:
+    """At the rim, where elbow up and elbow down are the same."""
+    found = check(load_exercise(REACH), "rim", "2")
+    assert found.diagnosis is not None
+    assert found.diagnosis.ids == ("counted-twice",)
+
+
 @row_by_row(
     ("exercise", "part", "answer"),
     [

@@ -16,7 +16,7 @@ from tests.row_by_row import row_by_row
 
 ROOT = Path(__file__).parents[2]
 
-PLANAR = "yim/planar-two-links"
+PLANAR, MOTION = "yim/planar-two-links", "planar-jacobian"
 A1 = "[c1 -s1 0 a1*c1; s1 c1 0 a1*s1; 0 0 1 0; 0 0 0 1]"
 MISPRINT = "[c1 -s1 0 a1*c1; s1 c1 0 a1*c1; 0 0 1 0; 0 0 0 1]"
 NUMBERS = "[0.2588 -0.9659 0 0.4241; 0.9659 0.2588 0 0.4898; 0 0 1 0; 0 0 0 1]"
@@ -639,6 +639,9 @@ def test_a_wrong_answer_may_be_tried_again(tmp_path: Path) -> None:
         (PLANAR, "a1", ["c1 -s1 0 a1*c1", "s1 c1 0 a1*s1", "0 0 1 0", "0 0 0 1", ""], "RIGHT"),
         (PLANAR, "a1", ["c1, -s1, 0, a1*c1;", "s1, c1, 0, a1*s1;", "0, 0, 1, 0;", "0, 0, 0, 1"], "RIGHT"),
         (PLANAR, "table", ["a1,0,0,theta1", "a2,0,0,theta2", ""], "RIGHT"),
+        (PLANAR, "r02", ["the answer is [c12 -s12 0; s12 c12 0; 0 0 1]"], "RIGHT"),
+        (MOTION, "whole", ["Jv = [-a1s1-a2s12, -a2s12; a1c1+a2c12, a2c12; 0, 0]", "Jω = [0 0; 0 0; 1 1]"], "RIGHT"),
+        (MOTION, "whole", ["-a1s1-a2s12, -a2s12", "a1c1+a2c12, a2c12", "0,0", "0,0", "0,0", "1,1", ""], "RIGHT"),
         (PLANAR, "a1", LATEX, "RIGHT"),
         (PLANAR, "a1", ["A_1 = \\left[", *ARRAY, "\\right]"], "RIGHT"),
         (PLANAR, "table", [r"\begin{array}{cccc}", r"a1 & 0 & 0 & \theta_1\\", *ROW_2], "RIGHT"),

@@ -117,6 +117,8 @@ def test_a_urdf_of_coupled_motors_says_what_it_has_not_got() -> None:
         (("dh-link", "--as", "axes"), "directions depend on alpha_i"),
         (("scara", "--as", "standard", "--choose", "next_d"), "did you mean next-d"),
         (("scara", "--as", "axes", "--choose", "next-d"), "--choose is about tables"),
+        (("scara", "--as", "axes", "--steps"), "--steps tells how a table is found"),
+        (("scara", "--as", "standard", "--as-typed"), "only a URDF is read as it is typed"),
         (("assembly-blocks", "--as", "standard"), "no joints"),
         (("scara", "--as", "axes", "--pose", "elbo"), "elbow"),
         (("dh-link", "--as", "modified", "--numbers"), "a_i, alpha_i, d_i have no value"),

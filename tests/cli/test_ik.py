@@ -497,15 +497,22 @@ def test_the_column_of_distances_ascends_and_is_what_the_joints_have_to_move(dhc
         assert math.hypot(*np.radians(np.degrees(q) - there)) == pytest.approx(distance, abs=1e-4)
 
 
-def test_where_spare_joints_keep_an_arm_outside_its_limits_other_places_are_proposed(dhcli: Run) -> None:
-    """Unless the user holds them all, or has asked for a family."""
+def test_joints_to_spare_are_held_where_an_arm_is_inside_its_limits(dhcli: Run) -> None:
+    """Which values these are is said; not so where the user holds them all, or has asked for a family."""
     asked = ("ik", "panda", "--position=-0.3,0,0.5", "--within-limits")
-    plain = dhcli(*asked)
-    assert plain.code == 1
-    assert "with theta3, theta5, theta6 and theta7 elsewhere there may be solutions inside the limits" in plain.err
-    for more in (["--family", "9"], [f"--hold=theta{k}=0" for k in (3, 5, 6, 7)]):
-        assert "elsewhere" not in dhcli(*asked, *more).err
-    assert dhcli(*asked, "--family", "9").code == 0
+    plain = dhcli(*asked, "--format", "json")
+    assert plain.code == 0
+    assert all(solution["within_limits"] for solution in plain.data["solutions"])
+    assert "with which all joints are inside their limits" in dhcli(*asked).err
+    assert dhcli(*asked, *[f"--hold=theta{k}=0" for k in (3, 5, 6, 7)]).code == 1
+    assert "more than this needs: theta3, theta5, theta6, theta7 sampled" in dhcli(*asked, "--family", "9").err
+
+
+def test_where_no_value_of_a_joint_to_spare_keeps_the_limits_that_is_said(dhcli: Run) -> None:
+    """Straight above its base the hand of a Panda points up at no value of its last joint."""
+    done = dhcli("ik", "panda", "--target", "Trans(0,0,0.9)", "--within-limits")
+    assert done.code == 1
+    assert "none of 480 values of theta7 has a solution inside all limits" in done.err
 
 
 def test_noise_is_no_part_of_the_name_of_a_branch(dhcli: Run) -> None:
@@ -542,6 +549,9 @@ FIVE = str(Path(__file__).parents[1] / "data" / "five-axis.yaml")
         ("--position", "0.7230,0.2236,0.7418", "--quaternion", "0.1936,-0.8974,0.2776,-0.2830"),
         ("--position", "0.7230,0.2236,0.7418", "--euler", "zyx -0.7253,-0.4120,-2.5584"),
         ("--position", "0.7230,0.2236,0.7418", "--pointing", "0.6154,0.1904,-0.7648"),
+        ("--position", "0.723,0.224,0.742", "--rpy", "-2.558,-0.412,-0.725"),
+        ("--position", "0.723,0.224,0.742", "--euler", "zyx -0.725, -0.412, -2.558"),
+        ("--target", "Trans(0.723,0.224,0.742) Rot(z,-0.725 rad) Rot(y,-0.412 rad) Rot(x,-2.558 rad)"),
         ("--target", "Trans(0.7230,0.2236,0.7418) Rot(z,-41.56°) Rot(y,-23.61°) Rot(x,-146.58°)"),
     ],
 )

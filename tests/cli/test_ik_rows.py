@@ -67,7 +67,7 @@ def test_what_else_stands_beside_a_position_is_never_left_aside_unsaid(dhcli: Ru
     done = dhcli("ik", "planar-2r", "--rows", "-", stdin=text)
     assert done.code == 2
     assert "rx, ry, rz beside a position" in done.err
-    assert "q_w,q_x,q_y,q_z" in done.err
+    assert "r_x,r_y,r_z" in done.err
     assert dhcli("ik", "planar-2r", "--rows", "-", "--task", "position", stdin=text).code == 0
     assert dhcli("ik", "planar-2r", "--rows", "-", stdin="row,p_x,p_y,p_z\n1,0.5,0.2,0\n").code == 0
 

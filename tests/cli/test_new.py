@@ -125,3 +125,24 @@ def test_a_robot_that_hides_one_of_dhcli_says_so(dhcli: Run) -> None:
     assert done.err.endswith(f"next: dhcli show scara, then dhcli fk scara --symbolic\n{hides}")
     assert "RRP" in dhcli("show", "builtin:scara").out
     assert "hides" not in dhcli("new", "robot", "my-arm").err
+
+
+@pytest.mark.parametrize(
+    ("words", "taken"),
+    [
+        (("exercise", "my-course/panda", "--robot", "scara"), "panda is the name of the built-in robot panda, too"),
+        (("robot", "bennett"), "bennett is the name of the built-in linkage bennett, too"),
+        (("linkage", "planar-two-links"), "is the name of the built-in exercise yim/planar-two-links, too"),
+        (("exercise", "my-course/mine", "--robot", "mine"), "mine is the name of the robot mine, too"),
+    ],
+)
+def test_a_name_that_lint_would_refuse_is_refused_before_anything_is_written(
+    dhcli: Run, tmp_path: Path, words: tuple[str, ...], taken: str
+) -> None:
+    """One name stands for one thing."""
+    assert dhcli("new", "robot", "mine").code == 0
+    before = sorted(tmp_path.rglob("*"))
+    refused = dhcli("new", *words)
+    assert refused.code == 2
+    assert taken in refused.err
+    assert sorted(tmp_path.rglob("*")) == before

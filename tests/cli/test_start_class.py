@@ -51,12 +51,17 @@ def test_an_exercise_without_variants_is_the_same_for_all(dhcli: Run, tmp_path: 
 
 
 def test_no_sheet_is_written_where_one_may_hold_answers(dhcli: Run, tmp_path: Path) -> None:
-    """Of nobody; those who came later get theirs with `--overwrite`, or in another folder."""
+    """Of nobody; those who came later get theirs from a file of their own, and nothing of the others is touched."""
     assert dhcli("start", LETTERS, "--class", roster(tmp_path, "Bob"), "-o", "x").code == 0
     done = dhcli("start", LETTERS, "--class", roster(tmp_path, "Ada\nBob"), "-o", "x")
     assert done.code == 2
     assert "Bob/planar-two-links.sheet.yaml: exists already\n  hint: it may hold answers" in done.err.replace("\\", "/")
+    assert "a file with only the names that have none (Ada) adds theirs" in done.err
     assert not (tmp_path / "x/Ada").exists()
+    assert dhcli("start", LETTERS, "--class", roster(tmp_path, "Eve"), "-o", "x").code == 0
+    assert (tmp_path / "x/Eve").is_dir()
+    assert "have none" not in dhcli("start", LETTERS, "--class", roster(tmp_path, "Bob"), "-o", "x").err
+    roster(tmp_path, "Ada\nBob")
     assert dhcli("start", LETTERS, "--class", "names.txt", "-o", "x", "--overwrite").code == 0
     assert (tmp_path / "x/Ada").is_dir()
 

@@ -14,6 +14,7 @@ from dhcli.checking.verdicts import Verdict
 from dhcli.cli.shell.lines import recalled
 from dhcli.files.progress import Try, read_progress, record
 from dhcli.files.yaml.exercises import load_exercise
+from dhcli.files.yaml.sheets import write_sheet
 from dhcli.notation.matrix import parse_matrix
 from tests.cli.running import Run
 from tests.cli.terminal import Terminal
@@ -36,6 +37,21 @@ def test_credits_and_the_order_of_columns_are_told_before_a_part_is_answered(tmp
         assert re.search(r"\ntable: .* · 2 credits\n", asked)
         assert "the standard DH table\n" in asked
         assert "columns: a  alpha  d  theta; angles in degrees" in asked
+
+
+def test_what_an_answer_is_computed_with_is_told_before_the_first_part(tmp_path: Path) -> None:
+    """The values given, the lengths of the robot, and the unit of a bare number: all that stands on the sheet."""
+    with Terminal(tmp_path, "check", "yim/stanford-in-numbers", columns=100) as screen:
+        asked = screen.until("> ")
+    sheet = write_sheet(load_exercise("yim/stanford-in-numbers"))
+    lines = [
+        line.removeprefix("# ") for line in sheet.splitlines() if line.startswith(("# Given", "# Robot", "# Numbers"))
+    ]
+    assert len(lines) == 3
+    flat = " ".join(asked.split()).lower()
+    assert all(" ".join(line.split()).lower() in flat for line in lines)
+    with Terminal(tmp_path, "check", PLANAR) as screen:
+        assert "Symbols: c1 for cos(theta1)" in screen.until("table> ")
 
 
 def test_how_a_formula_is_written_is_told_once(tmp_path: Path) -> None:
@@ -336,3 +352,18 @@ def test_the_walk_warns_too_before_it_asks(tmp_path: Path) -> None:
         assert "more than a turn" in screen.until("pose> ")
         screen.type("\x04")
         screen.end()
+
+
+@row_by_row("word", ["dunno", "next", "solution"])
+def test_a_word_that_is_no_answer_is_told_at_once(tmp_path: Path, word: str) -> None:
+    """It would be the first row of a matrix, and the walk would wait for the others; a name may stand before one."""
+    with Terminal(tmp_path, "check", PLANAR, "--part", "a1") as screen:
+        screen.until("a1> ")
+        screen.type(f"{word}\n")
+        told = screen.until("a1> ")
+        assert f"'{word}' is no answer, and none of the words hint, why, skip, back, quit, help." in told
+        assert ("dhcli solution yim/planar-two-links --part a1 works it out" in told) is (word == "solution")
+        screen.type("T\n")
+        screen.until("... ")
+        screen.type(f"{A1}\n\n")
+        assert screen.end() == 0

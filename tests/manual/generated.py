@@ -155,9 +155,12 @@ def library_page(head: str) -> str:
 
 
 def _methods(found: object) -> list[tuple[str, Callable[..., object]]]:
-    """The public methods that a class itself tells about."""
-    own = vars(found) if isinstance(found, type) else {}
-    named = [(name, getattr(found, name)) for name in own if not name.startswith("_")]
+    """The public methods that a class itself tells about, and those of a matrix."""
+    from dhcli.kinematics.matrix import Matrix
+
+    classes = [one for one in found.__mro__ if one in (found, Matrix)] if isinstance(found, type) else []
+    names = dict.fromkeys(name for one in classes for name in vars(one) if not name.startswith("_"))
+    named = [(name, getattr(found, name)) for name in names]
     return [(name, one) for name, one in named if inspect.isroutine(one) and one.__doc__]
 
 

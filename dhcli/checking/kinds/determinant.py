@@ -36,7 +36,7 @@ class DeterminantQuestion(JacobianTask, OneNumberQuestion, ColumnsQuestion):
 
     def describe(self, exercise: Exercise) -> str:
         rows = ", ".join(square(*self.motion.check(exercise.robot), self.form).rows)
-        return f"the determinant of the Jacobian {self.motion.where}, rows {rows}"
+        return f"the determinant of the Jacobian {self.motion.where(exercise)}, rows {rows}"
 
     def computed(self, case: Case) -> Grid:
         return self._one(case, found_for(case, self.motion, self.form).determinant or ZERO)

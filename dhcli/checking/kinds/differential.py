@@ -8,7 +8,7 @@ from typing import ClassVar, Self
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.kinds.linked import needed
-from dhcli.checking.motion.asked import Motion, read_motion, three
+from dhcli.checking.motion.asked import Motion, in_units, read_motion, three
 from dhcli.checking.motion.columns import combined
 from dhcli.checking.motion.grid import Grid, Rows
 from dhcli.checking.motion.question import MotionQuestion
@@ -22,7 +22,6 @@ from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Expr, add, negate
 from dhcli.notation.walk import symbols_in
-from dhcli.notation.writer import write
 from dhcli.regex import regex
 
 _HEAD = regex(r"differential\s+motion\s*(?P<moved>\([^()]*\))(?:\s+turn\s*(?P<turned>\([^()]*\)))?")
@@ -68,9 +67,14 @@ class DifferentialQuestion(MotionQuestion):
     def names(self) -> frozenset[str]:
         return symbols_in((*self.moved, *self.turned))
 
-    def describe(self, _exercise: Exercise) -> str:
-        small = f"({', '.join(map(write, self.moved))}) and the small turn ({', '.join(map(write, self.turned))})"
-        return f"the change dT of the pose, for the small displacement {small} {self.motion.where}: a 4x4 matrix"
+    def describe(self, exercise: Exercise) -> str:
+        moved, turned = (
+            in_units(one, (unit,) * 3, exercise) for one, unit in ((self.moved, "m"), (self.turned, "rad"))
+        )
+        small = f"{moved} and the small turn {turned}"
+        return (
+            f"the change dT of the pose, for the small displacement {small} {self.motion.where(exercise)}: a 4x4 matrix"
+        )
 
     def _pose(self, case: Case) -> tuple[Rows, bool]:
         robot = needed(case.exercise.robot)

@@ -23,7 +23,7 @@ from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
 from dhcli.checking.whole import is_closed
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
-from dhcli.kinematics.conventions import Convention, Row
+from dhcli.kinematics.conventions import TABLES, Convention, Row
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.describe.words import Speaker, written
 from dhcli.kinematics.robot import Robot
@@ -64,7 +64,7 @@ class FramesQuestion(Question[Answer]):
     def asked(cls, text: str, _scope: Scope, place: Place | None) -> Self:
         """`frames standard`, `frames modified at drawn`."""
         convention, _, pose = text.removeprefix("frames").strip().partition(" at ")
-        if convention.strip() not in (Convention.STANDARD, Convention.MODIFIED):
+        if convention.strip() not in TABLES:
             hint = "write frames standard or frames modified, and at POSE behind it"
             rest = convention.strip()
             raise NotationError(Problem(f"there are no frames '{rest:.60}'" if rest else "which frames?", place, hint))

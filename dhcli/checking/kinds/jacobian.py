@@ -92,7 +92,7 @@ class JacobianQuestion(ColumnsQuestion):
     def describe(self, exercise: Exercise) -> str:
         rows = ", ".join(self.form.labels)
         named = f"the {self.twist} Jacobian" if self.twist else "the Jacobian"
-        whole = f"{named} {self.motion.where}, rows {rows}"
+        whole = f"{named} {self.motion.where(exercise)}, rows {rows}"
         if self.row:
             return f"entry ({self.row},{self.column}) of {whole}"
         if self.column:

@@ -25,6 +25,7 @@ from dhcli.checking.solving.goal import Target, of_robot
 from dhcli.checking.solving.told import told
 from dhcli.checking.solving.typed import exprs_of, formula_of, typed_text, values_of
 from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import NotationError, Place, Problem, RobotError, UnknownNameError
 from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.derivation import Derivation
@@ -45,6 +46,9 @@ FIRST = 3
 """Solutions at which a formula is looked at before it is tried at all of them."""
 EARNED_TOO_MUCH = 0.5
 """What a formula earns that has every value, and others besides."""
+
+_OF_ALL = ("joint values", "joint torques")
+"""How a question about all joints begins that is asked otherwise."""
 
 
 @frozen
@@ -70,6 +74,8 @@ class JointFormulaQuestion(Question[Formula]):
     def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
         """`angle theta2 of position`."""
         match = _ASKED.fullmatch(text.strip())
+        if match is None and text.startswith(_OF_ALL):
+            raise NotAskedError(text)
         if match is None:
             message = f"'{text.strip():.60}' asks for no joint"
             raise NotationError(Problem(message, place, "write angle theta2 of position, or of pose"))

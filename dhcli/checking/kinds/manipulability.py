@@ -32,9 +32,9 @@ class ManipulabilityQuestion(JacobianTask, OneNumberQuestion, ColumnsQuestion):
     def named(self, case: Case) -> frozenset[str]:
         return self.columns(case).names
 
-    def describe(self, _exercise: Exercise) -> str:
+    def describe(self, exercise: Exercise) -> str:
         part = {"all": "", "linear": ", rows v", "angular": ", rows ω"}[self.form.part]
-        return f"the manipulability w = √det(J Jᵀ) {self.motion.where}{part}, a number"
+        return f"the manipulability w = √det(J Jᵀ) {self.motion.where(exercise)}{part}, a number"
 
     def computed(self, case: Case) -> Grid:
         if not case.exercise.numeric:

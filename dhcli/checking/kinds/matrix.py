@@ -16,10 +16,10 @@ from dhcli.checking.truth import is_length, names_in, truth_of, unvalued
 from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
 from dhcli.checking.wanted import Composed, Wanted, read_wanted
 from dhcli.checking.whole import is_whole_matrix
-from dhcli.errors import DhcliError, NotationError, Place, Problem
+from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.frames import View
-from dhcli.notation.quantity import DimensionError
+from dhcli.notation.dimensions import read_at
 from dhcli.notation.scope import Scope
 from dhcli.notation.writer import write
 
@@ -65,10 +65,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         if self.piece not in ("point", "vector") or not is_length(self, 0, 0):
             return replace(self, source=source)
         pairs = zip(self.point, self.measured, strict=True)
-        try:
-            point = tuple(one if measured else length_in_metres(one, unit, scope) for one, measured in pairs)
-        except DimensionError as error:
-            raise NotationError(Problem(error.message, None, error.hint)) from None
+        point = tuple(one if given else read_at(None, length_in_metres, one, unit, scope) for one, given in pairs)
         return replace(self, source=source, point=point)
 
     def describe(self, exercise: Exercise) -> str:

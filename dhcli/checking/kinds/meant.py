@@ -29,9 +29,20 @@ _SPELLINGS = (
     ),
     (regex(r"\A(?:the )?(?:dof|degrees of freedom|mobility) (?:of )?(?:the )?", re.IGNORECASE), "count mobility "),
     (regex(r"\A(?:the )?(?:count|number of) (links|joints) (?:of |in )?(?:the )?", re.IGNORECASE), r"count \1 "),
+    (regex(r"\A(?:the )?number of solutions\b"), "count solutions"),
+    (regex(r"\A(?:the )?(?:DH )?(?:table )?(standard|modified)(?: DH)?(?: table)?\Z", re.IGNORECASE), r"table \1"),
+    (regex(r"\A(a|alpha|d|theta)\s+(?:of (?:link|row) )?([0-9]{1,2})\Z"), r"cell \1 \2"),
+    (regex(r"\A(?:the )?([xyz])[ -]axis of\b"), r"axis \1 of"),
+    (regex(r"\A(?:the )?roll,? pitch,?(?: and)? yaw (?:angles )?of\b"), "rpy of"),
+    (regex(r"\A([xyz]{3}) (?:angles )?of\b"), r"euler \1 of"),
+    (regex(r"\A(?:the )?(?:joint )?torques? (?:for )?(?=\()"), "torques for "),
+    (regex(r"\A(?:the )?rates for\b"), "joint rates for"),
+    (regex(r"\A(?:the )?joint values (?:of|for)\b"), "joints of"),
+    (regex(r"\A(.*\b(?:jacobian|velocity|torques|rates|differential)\b.*\bof) pose(?= [0-9])", re.DOTALL), r"\1"),
 )
 """`T02`, `T_{02}`, `pose 0-2` and `pose 0 to 2` are `pose 0..2`, `A_2` is `link 2`, `entry (1, 4)` is `entry 1 4`,
-`det J` is `determinant of jacobian`, `number of links of press` is `count links press`."""
+`det J` is `determinant of jacobian`, `number of links of press` is `count links press`, `standard table` is
+`table standard`, `velocity of pose 0..3` is `velocity of 0..3`, for a velocity is no piece of a pose."""
 
 _CALLED = {
     "dh": "table standard",

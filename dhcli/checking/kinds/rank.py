@@ -33,9 +33,8 @@ class RankQuestion(JacobianTask, OneNumberQuestion):
 
     def describe(self, exercise: Exercise) -> str:
         where = "at the values given" if exercise.numeric else "at almost all joint values"
-        return (
-            f"the rank of the Jacobian {self.motion.where}, rows {', '.join(self.form.labels)}, {where}: a whole number"
-        )
+        rows = ", ".join(self.form.labels)
+        return f"the rank of the Jacobian {self.motion.where(exercise)}, rows {rows}, {where}: a whole number"
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Entries:
         entries = MotionQuestion.read(self, case, without_number_word(text, ()), place)

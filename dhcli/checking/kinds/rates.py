@@ -7,7 +7,7 @@ from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.exercise import Case, Exercise
-from dhcli.checking.motion.asked import Motion, read_motion, three
+from dhcli.checking.motion.asked import Motion, in_units, read_motion, three
 from dhcli.checking.motion.columns import Columns, columns_of, combined, plain
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid, floats_in, over
@@ -26,7 +26,6 @@ from dhcli.kinematics.velocity.form import Form, Which, part_of
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, multiply, number, power
 from dhcli.notation.walk import symbols_in
-from dhcli.notation.writer import write
 from dhcli.regex import regex
 
 _HEAD = regex(
@@ -94,12 +93,24 @@ class RatesQuestion(ColumnsQuestion):
     def named(self, case: Case) -> frozenset[str]:
         return self.columns(case).names | self.names
 
-    def describe(self, _exercise: Exercise) -> str:
+    def describe(self, exercise: Exercise) -> str:
         said = []
-        for name, vector in (("velocity", self.linear), ("angular velocity", self.angular)):
+        for name, vector, unit in (("velocity", self.linear, SPEED), ("angular velocity", self.angular, TURNING)):
             if vector is not None:
-                said.append(f"the {name} ({', '.join(map(write, vector))})")
-        return f"the joint rates for {' and '.join(said)} {self.motion.where}, one for each joint"
+                said.append(f"the {name} {in_units(vector, (unit,) * 3, exercise)}")
+        units = self._units(exercise) if exercise.numeric else ""
+        return f"the joint rates{units} for {' and '.join(said)} {self.motion.where(exercise)}, one for each joint"
+
+    def _units(self, exercise: Exercise) -> str:
+        """In which units the answer is, in brackets; a length of a sheet without units has none."""
+        joints = exercise.robot.joints if exercise.robot else ()
+        kinds = {joint.kind for joint in joints if joint.name in self.motion.joints(exercise.robot)}
+        slide = "" if exercise.unit == "none" else f"{exercise.unit}/s"
+        if kinds == {"revolute"}:
+            return f" [{TURNING}]"
+        if kinds == {"prismatic"}:
+            return f" [{slide}]" if slide else ""
+        return f" [{TURNING}, of a slide {slide}]" if slide else f" [{TURNING} where a joint turns]"
 
     def units(self, case: Case) -> tuple[str, ...]:
         return tuple(TURNING if one.turns else SPEED for one in self.columns(case).each)

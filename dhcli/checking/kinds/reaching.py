@@ -108,6 +108,7 @@ class SolutionsQuestion(GoalQuestion[int], AlternativesQuestion[int]):
             Slip("limits", "the limits of the joints were not looked at", "look at the limits"): (
                 len(found) if self.within_limits else int(found.within_limits.sum())
             ),
+            Slip("counted-twice", "each solution is counted twice", "are two of them the same?"): 2 * right or -1,
             Slip("not-reached", "the pose is out of reach: there is no solution", "how far do the links reach?"): (
                 2 if right == 0 else -1
             ),

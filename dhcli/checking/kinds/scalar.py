@@ -12,10 +12,11 @@ from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.values import TypedValue, is_right_value, mark_value, quantity_of, read_typed_value, spelled_value
 from dhcli.checking.verdicts import Mark
-from dhcli.errors import NotationError, Place, Problem
+from dhcli.errors import Place
 from dhcli.frozen import frozen
+from dhcli.notation.dimensions import read_at
 from dhcli.notation.parser import parse_quantity
-from dhcli.notation.quantity import DimensionError, is_inverse
+from dhcli.notation.quantity import is_inverse
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Trig
 from dhcli.notation.walk import symbols, walk
@@ -85,7 +86,4 @@ def _check_angle(expr: Expr, scope: Scope, place: Place | None) -> None:
     """Make sure that what holds an inverse function is an angle, and not the sum of one and a length."""
     from dhcli.checking.angles import in_radians
 
-    try:
-        in_radians(expr, scope)
-    except DimensionError as error:
-        raise NotationError(Problem(error.message, place, error.hint)) from None
+    read_at(place, in_radians, expr, scope)

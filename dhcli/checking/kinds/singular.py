@@ -48,7 +48,7 @@ class SingularQuestion(JacobianTask, Question[Conditions]):
         found = self._found(exercise.robot)
         rank = "loses rank" if len(found.rows) != len(found.joints) else "is singular"
         said = "what is zero, each alone" if not _is_joined(found) else "what is zero, alone or at once"
-        return f"when the Jacobian {self.motion.where}, rows {', '.join(found.rows)}, {rank}: {said}"
+        return f"when the Jacobian {self.motion.where(exercise)}, rows {', '.join(found.rows)}, {rank}: {said}"
 
     def notes(self, exercise: Exercise) -> Iterable[str]:
         if _is_joined(self._found(exercise.robot)):

@@ -15,7 +15,7 @@ from dhcli.checking.verdicts import Mark
 from dhcli.checking.whole import ends_in_bracket, is_closed
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
+from dhcli.kinematics.conventions import COLUMNS, TABLES, Convention, Row, moves_of
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import names
@@ -54,7 +54,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
     def asked(cls, text: str, _scope: Scope, place: Place | None) -> Self:
         """`table standard` or `table modified`."""
         rest = text.removeprefix("table").strip()
-        if rest not in (Convention.STANDARD, Convention.MODIFIED):
+        if rest not in TABLES:
             hint = "write table standard or table modified"
             raise NotationError(Problem(f"there is no table '{rest:.60}'" if rest else "which table?", place, hint))
         return cls(Convention(rest))

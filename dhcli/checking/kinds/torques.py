@@ -78,7 +78,7 @@ class TorquesQuestion(ColumnsQuestion):
         what = " and ".join(
             name for kind, name in (("revolute", "torques [N m]"), ("prismatic", "forces [N]")) if kind in kinds
         )
-        return f"the joint {what} with which the end exerts the force {wrench}, {self.motion.where}"
+        return f"the joint {what} with which the end exerts the force {wrench}, {self.motion.where(exercise)}"
 
     def units(self, case: Case) -> tuple[str, ...]:
         return tuple(TORQUE if one.turns else FORCE for one in self.columns(case).each)

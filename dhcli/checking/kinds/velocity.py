@@ -9,7 +9,7 @@ from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.exercise import Case, Exercise
-from dhcli.checking.motion.asked import Motion, read_motion, three
+from dhcli.checking.motion.asked import Motion, in_units, read_motion, three
 from dhcli.checking.motion.columns import Columns, combined
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid
@@ -25,7 +25,6 @@ from dhcli.kinematics.velocity.view import check_rates
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, Symbol, multiply, number, power
 from dhcli.notation.walk import symbols_in
-from dhcli.notation.writer import write
 from dhcli.regex import regex
 
 _HEAD = regex(r"(?P<angular>angular\s+)?velocity(?:\s+of\s+point\s*(?P<point>\(.*\)))?(?:\s+of\s+point)?")
@@ -82,8 +81,16 @@ class VelocityQuestion(ColumnsQuestion):
         what = "the angular velocity [rad/s]" if self.angular else f"the velocity [{exercise.unit}/s]"
         if exercise.unit == "none" and not self.angular:
             what = "the velocity"
-        at = "" if self.motion.rates is None else f", for the joint rates ({', '.join(map(write, self.motion.rates))})"
-        return f"{what} {self.motion.where}: three numbers{at}"
+        return f"{what} {self.motion.where(exercise)}: three numbers{self._at_rates(exercise)}"
+
+    def _at_rates(self, exercise: Exercise) -> str:
+        """For which joint rates, in words; nothing where none are given."""
+        robot, rates = exercise.robot, self.motion.rates
+        if rates is None or robot is None:
+            return ""
+        kinds = {joint.name: joint.kind for joint in robot.joints}
+        units = [TURNING if kinds[name] == "revolute" else SPEED for name in self.motion.joints(robot)]
+        return f", for the joint rates {in_units(rates, units, exercise)}"
 
     def units(self, _case: Case) -> tuple[str, ...]:
         return (TURNING if self.angular else SPEED,) * 3

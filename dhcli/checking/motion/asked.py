@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
+from dhcli.checking.exercise import Exercise
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import NotationError, Place, Problem, RobotError, plural
@@ -12,10 +14,12 @@ from dhcli.kinematics.frames import ORIGIN, Point, ends, frame
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.form import Form
 from dhcli.kinematics.velocity.view import MotionView, joints_between
+from dhcli.notation.dimensions import read_at
 from dhcli.notation.matrix import parse_matrix
-from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.quantity import to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr
+from dhcli.notation.tree import ZERO, Expr
+from dhcli.notation.walk import symbols_in
 from dhcli.notation.writer import write
 from dhcli.regex import regex
 
@@ -78,18 +82,30 @@ class Motion:
         robot, view = self.check(robot)
         return joints_between(robot, view.start, view.end)
 
-    @property
-    def where(self) -> str:
+    def where(self, exercise: Exercise) -> str:
         """Of which frame and point, along which axes, in words."""
-        words = ["of " + (f"the point ({self._point}) of " if self.point != ORIGIN else "")]
+        point = in_units(self.point, ("m",) * 3, exercise)
+        words = ["of " + (f"the point {point} of " if self.point != ORIGIN else "")]
         words.append(f"frame {self.end} seen from frame {self.start}" if self.end else "the end frame")
         if self.axes:
             words.append(f", along the axes of frame {self.axes}")
         return "".join(words)
 
-    @property
-    def _point(self) -> str:
-        return ", ".join(write(one) for one in self.point)
+
+def in_units(found: Sequence[Expr], units: Sequence[str], exercise: Exercise) -> str:
+    """Numbers of a question in brackets, with the units in which it is read; letters and zeros stand as they are.
+
+    Args:
+        found: The numbers, in metres, radians and seconds.
+        units: The unit of each, such as `m/s`.
+        exercise: Whose sheet they stand on; on one without units lengths have none.
+    """
+    known = ["" if exercise.unit == "none" and unit.startswith("m") else unit for unit in units]
+    bare = [bool(unit) and one != ZERO and not symbols_in((one,)) for one, unit in zip(found, known, strict=True)]
+    if len(set(known)) == 1:
+        return f"({', '.join(map(write, found))})" + (f" {known[0]}" if any(bare) else "")
+    pairs = zip(found, known, bare, strict=True)
+    return f"({', '.join(f'{write(one)} {unit}' if has_unit else write(one) for one, unit, has_unit in pairs)})"
 
 
 def read_motion(text: str, scope: Scope, place: Place | None) -> Motion:
@@ -120,10 +136,7 @@ def vector(text: str, scope: Scope, place: Place | None) -> tuple[Expr, ...]:
         NotationError: They cannot be read.
     """
     cells = [cell.expr for row in parse_matrix(f"[{text.strip()[1:-1]}]", scope, place) for cell in row]
-    try:
-        return tuple(map(to_length, cells))
-    except DimensionError as error:
-        raise NotationError(Problem(error.message, place, error.hint)) from None
+    return tuple(read_at(place, to_length, cell) for cell in cells)
 
 
 def three(text: str, scope: Scope, place: Place | None) -> tuple[Expr, Expr, Expr]:

@@ -27,6 +27,10 @@ from dhcli.regex import regex
 
 _BETWEEN = regex(r"(,|;|\n|\bor\b|\u2228|\band\b|&+|∧)")
 _AND = regex(r"and|&+|∧")
+_ON_LINES = regex(r"\s{0,9}(\band\b|&+|∧)\s{0,9}")
+"""`and` with the ends of lines around it, which part nothing there."""
+_AT_ONCE = regex(r"\(([^(),;\n]{1,200}=[^(),;\n]{1,200})\)(?!\s*=)")
+"""`(d2 = 0 and theta3 = 0)`: brackets around what is zero at once; with `or` in them they would say more."""
 _WHEN = regex(r"\A\s{0,9}(?:when(?:ever)?|if|where|for|at|singular (?:when|if|for|at))\b\s{0,9}", re.IGNORECASE)
 _IS = regex(r"(?<=[\w)])\s{1,9}(?:is|equals)\s{1,9}(?=[-+\d.kn±]|pi|π)")
 """`when theta2 is 0 or 180 degrees`."""
@@ -95,6 +99,7 @@ def read_conditions(text: str, exercise: Exercise, place: Place | None, *, joine
         return ()
     text = _THAT_IS.sub(", ", _WHOLE.sub("", _IS.sub(" = ", _WHEN.sub("", text))))
     text = _ONE_OF.sub(lambda one: f" = {' or '.join(one['values'].split(','))}", text.strip())
+    text = _ON_LINES.sub(r" \1 ", _AT_ONCE.sub(_unbracketed, text))
     _check_values(text, exercise)
     found: list[Condition] = []
     for group in _groups(text.strip("{}[]"), joined=joined):
@@ -103,6 +108,10 @@ def read_conditions(text: str, exercise: Exercise, place: Place | None, *, joine
         if len(found) > MOST:
             raise UnreadableError(f"more than {MOST} conditions are not read")
     return _merged(found)
+
+
+def _unbracketed(found: re.Match[str]) -> str:
+    return found[0] if re.search(r"\bor\b|\u2228", found[1]) else found[1]
 
 
 def _check_values(text: str, exercise: Exercise) -> None:

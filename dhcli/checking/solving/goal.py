@@ -22,8 +22,9 @@ from dhcli.kinematics.frames import ends
 from dhcli.kinematics.moves import Chain, Fixed, names, read_chain
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
+from dhcli.notation.dimensions import read_at
 from dhcli.notation.matrix import parse_matrix
-from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.quantity import to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Expr, number
 from dhcli.notation.walk import symbols
@@ -208,10 +209,7 @@ def _scaled(cell: Expr, unit: Fraction, scope: Scope) -> Expr:
 
 
 def _lengths(cells: Iterable[Expr], place: Place | None = None) -> tuple[Expr, ...]:
-    try:
-        return tuple(to_length(cell) for cell in cells)
-    except DimensionError as error:
-        raise NotationError(Problem(error.message, place, error.hint)) from None
+    return tuple(read_at(place, to_length, cell) for cell in cells)
 
 
 def of_robot(robot: Robot, values: Mapping[str, Value]) -> dict[str, Value]:

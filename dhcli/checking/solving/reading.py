@@ -25,10 +25,10 @@ from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to
 from dhcli.notation.tree import Expr, Symbol
 from dhcli.regex import regex
 
-_LABEL = regex(r"(?P<name>[^\W\d]\w*)\s*=(?!=)")
+_LABEL = regex(r"(?P<name>[^\W\d]\w{0,40})\s{0,9}=(?!=)")
 _TEXT = regex(r"\A\s*(?P<name>[^\W\d]\w*)\s*=\s*(?=\[|\([^()]*[,;|])")
 _NUMBERED = regex(r"(?m)^[ \t]*1?\d\.[ \t]+(?=[(\[+−-]?[\w.])")  # noqa: RUF001
-_BESIDE = regex(r"(?<![\w.=])(?P<name>[^\W\d]\w*)[ \t]+(?=[+−-]?[\d.(√])")  # noqa: RUF001
+_BESIDE = regex(r"(?<![\w.=])(?P<name>[^\W\d]\w{0,40})[ \t]{1,9}(?=[+−-]?[\d.(√])")  # noqa: RUF001
 """What may name the joint of the value behind it, `θ1 30°`."""
 _ABOUT = regex(r"(?<=\w)[ \t]*≈")
 _COLON = regex(r"(?<=\d)[ \t]*:(?=[ \t]*[(\d.+−-])")  # noqa: RUF001
@@ -45,8 +45,8 @@ _IN_BRACKETS = regex(
 )
 """A vector in brackets, with the sign of a transposition and what separates it from the next."""
 
-_BETWEEN = regex(r",?[ \t]+(?:or|and)[ \t]+|[ \t]*\n[ \t]*(?:or|and)[ \t\n]+")
-_BETWEEN_NAMED = regex(rf"(?:{_BETWEEN.pattern})(?=[^\W\d]\w*[ \t]*=)")
+_BETWEEN = regex(r",?[ \t]{1,20}(?:or|and)[ \t]{1,20}|[ \t]{0,20}\n[ \t]{0,20}(?:or|and)[ \t\n]{1,20}")
+_BETWEEN_NAMED = regex(rf"(?:{_BETWEEN.pattern})(?=[^\W\d]\w{{0,40}}[ \t]{{0,9}}=)")
 
 
 @frozen

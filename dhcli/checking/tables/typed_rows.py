@@ -213,5 +213,6 @@ def _check_variables(rows: tuple[TypedRow, ...], robot: Robot) -> None:
         column = "theta" if joint.kind == "revolute" else "d"
         listed = ", ".join(joint.name for joint in missing)
         raise UnreadableError(
-            f"{listed}: in no row; the {column} cell of a joint holds its variable, as {joint.name} does in its row"
+            f"no row has {listed}: a table holds the variables of its joints and not their values; write {joint.name} "
+            f"in the {column} cell of its row"
         )

@@ -162,12 +162,15 @@ def _form(wanted: Wanted, name: str) -> Form:
         DhcliError: There is no such form, or format or choices do not go with it.
     """
     from dhcli.errors import DhcliError
+    from dhcli.kinematics.conventions import TABLES
     from dhcli.kinematics.describe.asked import check_form
 
     usual = "product" if name == "urdf" else "standard"
     form = check_form(usual if wanted.form in (None, "urdf") else wanted.form, ("urdf", "motors"))
     if name == "urdf" and form != usual:
         raise DhcliError(f"--as {form} and a URDF ask for different things", "leave one of the two out")
-    if wanted.choose and form not in ("standard", "modified"):
+    if wanted.choose and form not in TABLES:
         raise DhcliError("--choose is about tables", "--as standard or --as modified")
+    if wanted.steps and form not in ("standard", "modified"):
+        raise DhcliError("--steps tells how a table is found", "--as standard or --as modified")
     return form

@@ -13,7 +13,7 @@ from dhcli.cli.shell.many import ManyPoses
 from dhcli.cli.shell.spreading import But
 from dhcli.cli.shell.wishes import POSE, Goal, Which
 from dhcli.cli.shell.written import Written, in_formats
-from dhcli.errors import ExitStatus, joined
+from dhcli.errors import ExitStatus
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -162,10 +162,8 @@ def _solved(chosen: Chosen, word: str | None, goal: Goal, which: Which, out: Wri
         from dhcli.kinematics.inverse.turns import inside_only
 
         found = inside_only(found)
-        spare = [name for name in arm.variables if name in dict(found.held) and name not in held]
-        if spare and not (len(found) or which.family):
-            said = f"with {joined(spare)} elsewhere there may be solutions inside the limits: --family 9 tries"
-            found = replace(found, remarks=(*found.remarks, said))
+        if not len(found):  # joints to spare may stand elsewhere
+            found = inverse(arm, question.pose, task=question.task, within_limits=True, **wanted)  # type: ignore[arg-type]
     found = only_branches(found, which.branch or [])
     delivery.hand_over("inverse", question.answered(found, near, why=why), (*question.remarks, *found.remarks))
     return ExitStatus.DONE if len(found) else ExitStatus.NOT_RIGHT

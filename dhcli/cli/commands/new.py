@@ -69,7 +69,7 @@ def robot(
     """Write a commented robot file that loads, for you to change, or one that is made of another description."""
     from dhcli.cli.shell.console import tell
     from dhcli.errors import DhcliError
-    from dhcli.files.library.entries import is_own
+    from dhcli.files.library.entries import Kind, is_own, refuse_namesake
     from dhcli.files.library.lookup import OWN, typed_path
     from dhcli.files.yaml.templates import check_name, robot_template
 
@@ -87,6 +87,7 @@ def robot(
     else:
         text = robot_template(name, convention or "standard", joints or "RRP")
     path = Path(output or f"robots/{name}.yaml")
+    refuse_namesake(Kind.ROBOTS, name)
     asked = name if output is None else typed_path(path)
     _write(text, output, path, f"dhcli show {asked}, then dhcli fk {asked} --symbolic", overwrite=overwrite)
     if output is None and is_own(name):
@@ -130,7 +131,7 @@ def exercise(
 ) -> None:
     """Write a commented exercise file with blanks that lint points at, for you to fill in."""
     from dhcli.errors import DhcliError
-    from dhcli.files.library.entries import Kind
+    from dhcli.files.library.entries import Kind, refuse_namesake
     from dhcli.files.library.lookup import is_path, typed_path
     from dhcli.files.yaml.exercise_template import exercise_template
     from dhcli.files.yaml.robots import load_robot
@@ -138,6 +139,7 @@ def exercise(
     if robot_name == "-":
         raise DhcliError("an exercise names its robot, and standard input has no name", "save it: --robot ./arm.yaml")
     path = Path(output or f"exercises/{name}.yaml")
+    refuse_namesake(Kind.EXERCISES, name)
     robot = load_robot(robot_name)
     called = robot_name
     if robot.path is not None and is_path(Kind.ROBOTS, robot_name):
@@ -156,10 +158,12 @@ def linkage(
     overwrite: Overwrite = False,
 ) -> None:
     """Write a commented linkage file that loads, for you to change."""
+    from dhcli.files.library.entries import Kind, refuse_namesake
     from dhcli.files.library.lookup import typed_path
     from dhcli.files.yaml.linkage_template import linkage_template
 
     text = linkage_template(name, form)
+    refuse_namesake(Kind.LINKAGES, name)
     path = Path(output or f"robots/linkages/{name}.yaml")
     asked = name if output is None else typed_path(path)
     _write(text, output, path, f"dhcli show {asked}, then dhcli dof {asked}", overwrite=overwrite)

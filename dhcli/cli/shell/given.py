@@ -14,11 +14,11 @@ from dhcli.kinematics.moves import read_chain
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import given_parameters, parameter_values
 from dhcli.notation.brackets import split
+from dhcli.notation.dimensions import read_at
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, to_angle, to_length
+from dhcli.notation.quantity import to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope
-from dhcli.notation.tree import Expr
 
 if TYPE_CHECKING:
     from dhcli.cli.shell.chosen import Chosen
@@ -110,17 +110,15 @@ def point_of(text: str, option: str, scope: Scope = OPEN) -> Point:
         raise DhcliError(
             Problem(f"a point has three coordinates, {text!r} has {count}", place, f"write {option} 0,0,0.1")
         )
-    x, y, z = (_length(piece, scope, replace(place, column=offset + 1)) for offset, piece in pieces)
+    places = (replace(place, column=offset + 1) for offset, _ in pieces)
+    x, y, z = (read_at(at, to_length, parse(piece, scope, at)) for at, (_, piece) in zip(places, pieces, strict=True))
     return x, y, z
 
 
 def angle_of(text: str, option: str) -> float:
     """An angle without names, in radians where no unit stands [rad]."""
     place = Place(option, text=text)
-    try:
-        angle = to_angle(parse(text, OPEN, place))
-    except DimensionError as error:
-        raise DhcliError(Problem(error.message, place, error.hint)) from None
+    angle = read_at(place, to_angle, parse(text, OPEN, place))
     if angle.names:
         raise DhcliError(Problem(f"{', '.join(sorted(angle.names))} is no number", place, f"write {option} 0.01°"))
     return angle.constant()
@@ -154,10 +152,3 @@ def product_of(words: Sequence[str]) -> tuple[str, Place]:
     from dhcli.files.reading import read_text, source_of
 
     return read_text("-"), Place(source_of("-"))
-
-
-def _length(text: str, scope: Scope, place: Place) -> Expr:
-    try:
-        return to_length(parse(text, scope, place))
-    except DimensionError as error:
-        raise DhcliError(Problem(error.message, place, error.hint)) from None

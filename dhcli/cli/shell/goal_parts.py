@@ -14,16 +14,21 @@ from dhcli.geometry.rotations import Quaternion
 from dhcli.geometry.vectors import ORIGIN, UNITS, facing
 from dhcli.kinematics.derived import in_floats
 from dhcli.notation.brackets import split
+from dhcli.notation.dimensions import read_at
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import Bare, DimensionError, has_angle_unit, to_angle
+from dhcli.notation.quantity import Bare, has_angle_unit, to_angle
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from dhcli.geometry.rotations import Rotation
 
 _NEARLY_ONE = 1e-2
 """A quaternion this near to length 1 is one whose digits were cut off; others are given to a scale of their own."""
+
+_FINE = regex(r"\s*[-+]?[0-9]*\.[0-9]{3,}\s*")
+"""A number without a unit, with three decimals or more."""
 
 _IN_NUMBERS = "a pose to reach is in numbers; --derive gives the formulas in letters"
 
@@ -39,7 +44,7 @@ def from_parts(parts: Mapping[str, str], bare: Bare) -> tuple[Rows, float]:
         DhcliError: The turn is given twice, or something cannot be read.
     """
     rows = _rows(parts, bare)
-    return rows, slack_of(parts, rows, lambda texts: _rows(texts, bare), rough=_is_rough(parts.get("quaternion")))
+    return rows, slack_of(parts, rows, lambda texts: _rows(texts, bare), rough=_is_rough(parts, bare))
 
 
 def _rows(parts: Mapping[str, str], bare: Bare) -> Rows:
@@ -61,11 +66,15 @@ def _rows(parts: Mapping[str, str], bare: Bare) -> Rows:
     return (*((*row, length) for row, length in zip(turn, place, strict=True)), (0.0, 0.0, 0.0, 1.0))
 
 
-def _is_rough(quaternion: str | None) -> bool:
-    """Whether a quaternion has a length of 1 to few digits only."""
-    if quaternion is None:
-        return False
-    return 0 < abs(math.hypot(*_numbers(quaternion, "--quaternion", 4)) - 1) < _NEARLY_ONE
+def _is_rough(parts: Mapping[str, str], bare: Bare) -> bool:
+    """Whether the turn tells that its numbers are rounded.
+
+    A quaternion has a length of 1 to few digits only; hardly any angle has three decimals in radians and no more.
+    """
+    if (quaternion := parts.get("quaternion")) is not None:
+        return 0 < abs(math.hypot(*_numbers(quaternion, "--quaternion", 4)) - 1) < _NEARLY_ONE
+    angles = [*split(parts.get("rpy", "")), *split(parts.get("euler", "").strip().partition(" ")[2])]
+    return bare == "rad" and any(_FINE.fullmatch(angle) for _, angle in angles)
 
 
 def _vector(text: str, option: str) -> tuple[float, float, float]:
@@ -92,10 +101,7 @@ def _angles(text: str, option: str, bare: Bare) -> tuple[float, float, float]:
         hint = "write --euler 'zyz 0,30°,90°'" if option == "--euler" else "write 0,90°,0"
         raise DhcliError(Problem(f"three angles are wanted, not {len(pieces)}", Place(option), hint))
     exprs = [parse(piece, Scope(), Place(option)) for _, piece in pieces]
-    try:
-        a, b, c = (to_angle(expr, bare=bare).constant() for expr in exprs)
-    except DimensionError as error:
-        raise DhcliError(Problem(error.message, Place(option), error.hint)) from None
+    a, b, c = (read_at(Place(option), to_angle, expr, bare=bare).constant() for expr in exprs)
     for expr, angle in zip(exprs, (a, b, c), strict=True):
         if bare == "rad" and not has_angle_unit(expr) and abs(angle) > 2 * math.pi:
             hint = f"write {angle:g}°, or --deg"

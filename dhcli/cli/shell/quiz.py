@@ -203,12 +203,10 @@ def _not_negative(option: str, value: float) -> float:
 
 def _length(text: str) -> float:
     from dhcli.algebra.floats import Floats
+    from dhcli.notation.dimensions import read_at
     from dhcli.notation.parser import parse
-    from dhcli.notation.quantity import DimensionError, to_length
+    from dhcli.notation.quantity import to_length
     from dhcli.notation.scope import Scope
 
     place = Place("--tol-position", text=text)
-    try:
-        return Floats().value(to_length(parse(text, Scope(), place)))
-    except DimensionError as error:
-        raise DhcliError(Problem(error.message, place, error.hint)) from None
+    return Floats().value(read_at(place, to_length, parse(text, Scope(), place)))

@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 NOT_IN_FOLDERS = frozenset('/\\:*?"<>|')
 """Letters that some system allows in no name of a folder."""
 
+MOST_SHOWN = 3
+"""Names without a sheet that are told."""
+
 INSTEAD = "it may hold answers: -o OTHER writes into another folder; "
 
 
@@ -60,6 +63,14 @@ def _fault(name: str) -> str:
     return "begins with a dot" if name.startswith(".") else ""
 
 
+def _late(names: list[str]) -> str:
+    """What to do for those who have no sheet yet, where others have one."""
+    if not names:
+        return ""
+    shown = ", ".join(names[:MOST_SHOWN]) + (", ..." if len(names) > MOST_SHOWN else "")
+    return f"a file with only the names that have none ({shown}) adds theirs; "
+
+
 def start_class(judge: Judge, file: str, output: str | None, *, overwrite: bool) -> None:
     """Write a sheet for each name of a class, with numbers of its own where the exercise has variants.
 
@@ -78,9 +89,10 @@ def start_class(judge: Judge, file: str, output: str | None, *, overwrite: bool)
     last = judge.exercise.file_name
     folder = Path(output or f"{last}-sheets")
     paths = {name: folder / name / f"{last}.sheet.yaml" for name in names}
+    instead = INSTEAD + _late([name for name, path in paths.items() if not path.exists()])
     for path in paths.values():
         if path.parent.is_dir():
-            check_free(path, overwrite=overwrite, instead=INSTEAD)
+            check_free(path, overwrite=overwrite, instead=instead)
     for name, path in paths.items():
         drawn = vary(judge, name) if judge.exercise.variants else judge
         for above in (folder, path.parent):

@@ -10,9 +10,12 @@ from dhcli.regex import regex
 _DECIMALS = regex(r"\.([0-9]+)")
 """The decimals of a number."""
 
+_RADIANS = regex(r"\.[0-9]{3,}\s*rad\b")
+"""An angle that is rounded, as hardly any has three decimals in radians and no more."""
+
 _FEW, _ROUGH = 2e-4, 2e-3
 """A number leaves an entry open by so much at most where it is rounded: from four decimals on, or three, where the
-pose tells that it is. 0.5 and 0.125 beside such numbers are exact.
+pose or an angle tells that it is. 0.5 and 0.125 beside such numbers are exact.
 """
 
 Rows = tuple[tuple[float, ...], ...]
@@ -30,6 +33,7 @@ def slack_of(texts: Mapping[str, str], rows: Rows, read: Callable[[Mapping[str, 
     Returns:
         That; 0 where the numbers are meant as they stand.
     """
+    rough = rough or any(map(_RADIANS.search, texts.values()))
     most, moved = _ROUGH if rough else _FEW, [0.0]
     for half, other in _half_a_unit_more(texts):
         try:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from dataclasses import dataclass, field, replace
 from enum import Enum
@@ -14,6 +15,7 @@ from dhcli.cli.shell.console import tell, write_out
 from dhcli.cli.shell.lines import Typing, recalled
 from dhcli.cli.shell.quiz import remember
 from dhcli.files.progress import SOLVED, read_progress
+from dhcli.files.yaml.beside import given_lines, how_written
 from dhcli.render.kinds import render
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
@@ -31,6 +33,8 @@ COMMANDS = {
 }
 ARROWS = "The arrow keys edit a line and bring back what you typed."
 GOES_ON = "What you are typing is not judged yet: an empty line ends it."
+LEAST_WORD = 3
+"""Letters of a word that begins no answer of several cells: `T` and `h` may stand before them, or be the first."""
 AGAIN = "Try again, or go on with an empty line."
 _TRY_AGAIN = (Verdict.WRONG, Verdict.CLOSE, Verdict.CANNOT_READ)
 
@@ -140,9 +144,10 @@ class _Walk:
         exercise = self.judge.exercise
         self.write(exercise.title, "bold")
         self.write(exercise.task.strip())
-        if exercise.given:
-            self.write(f"\ngiven: {exercise.given_text}")
-        self.write(f"\n{HELP}", "dim")
+        for number, text in enumerate(given_lines(exercise)):
+            self.write(text if number else f"\n{text}")
+        for number, text in enumerate((*how_written(exercise), HELP)):
+            self.write(text if number else f"\n{text}", "dim")
 
     def settle(self, part: Part) -> Step:
         """Ask a part until it is solved or left."""
@@ -191,11 +196,20 @@ class _Walk:
                 if lines and word == "why":
                     self.write(GOES_ON, "dim")
                 continue
+            if not lines and math.prod(blank) > 1 and len(word) >= LEAST_WORD and word.isalpha():
+                self.refuse(part, word)
+                continue
             lines.append(line)
             if not line.strip() or part.question.is_whole("\n".join(lines), blank):
                 break
         self.typing.keep(recalled(lines, is_matrix=part.question.in_rows or blank[0] > 1))
         return "\n".join(lines)
+
+    def refuse(self, part: Part, word: str) -> None:
+        """Say at once that a word is none of those known: as the first row of a matrix it would wait for the others."""
+        self.write(f"'{word}' is no answer, and none of the words {', '.join(COMMANDS)}.")
+        if word == "solution":
+            self.write(f"dhcli solution {self.judge.exercise.typed} --part {part.id} works it out, behind quit.")
 
     def tell(self, part: Part, word: str) -> None:
         """What a person asks for besides answering."""

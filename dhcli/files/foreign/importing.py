@@ -57,14 +57,13 @@ def import_robot(text: str, source: str, wish: Wish) -> Robot:
         hint = did_you_mean(wish.units, LENGTH_UNITS)
         raise UnknownNameError(f"{wish.units} is no unit of length", hint)
     form = form_of(text)
-    if form not in (Form.URDF, Form.XACRO) and (wish.base or wish.tip):
-        raise FileError(Problem("only a URDF has links to choose from", Place(source)))
+    _check_wish(wish, form, source)
     joints = wish.joints.strip().upper()
     match form:
         case Form.TABLE:
             return _from_table(text, source, wish, convention)
         case Form.LISTING:
-            found = read_listing(text, source, wish.name, wish.units)
+            found = read_listing(text, source, wish.name, wish.units, as_typed=wish.as_typed)
         case Form.KINEMATICS:
             found = read_kinematics(text, source, wish.name, joints, as_typed=wish.as_typed)
         case Form.URDF | Form.XACRO:
@@ -74,6 +73,21 @@ def import_robot(text: str, source: str, wish: Wish) -> Robot:
         case None:
             return _from_rows(text, source, wish, convention)
     return found if convention in (None, found.convention) else _described(found, convention)
+
+
+def _check_wish(wish: Wish, form: Form | None, source: str) -> None:
+    """Make sure that what a person says about a file has a meaning there.
+
+    Raises:
+        FileError: It has none.
+    """
+    if form not in (Form.URDF, Form.XACRO) and (wish.base or wish.tip):
+        raise FileError(Problem("only a URDF has links to choose from", Place(source)))
+    if wish.units not in ("", "m") and form in (Form.URDF, Form.XACRO, Form.KINEMATICS):
+        hint = "divide them in the file, if they are none"
+        raise FileError(Problem(f"lengths of {form.value} are in metres, not in {wish.units}", Place(source), hint))
+    if wish.joints and form in (Form.URDF, Form.XACRO, Form.LISTING):
+        raise FileError(Problem(f"{form.value} says itself what its joints do", Place(source), "leave --joints out"))
 
 
 def _from_table(text: str, source: str, wish: Wish, convention: Convention | None) -> Robot:
@@ -121,7 +135,7 @@ def _untold(place: Place, around: str) -> FileError:
 
 def _of_rows(rows: Sequence[RowText], source: str, wish: Wish, convention: Convention, besides: Sequence[str]) -> Robot:
     """The robot of the rows of a table."""
-    reader = Reader(scope_of(cell.text for row in rows for cell in row.cells.values()))
+    reader = Reader(scope_of(cell.text for row in rows for cell in row.cells.values()), as_typed=wish.as_typed)
     if besides:
         reader.remarks.append(Slight(f"left out: {', '.join(besides)}"))
     whole = Whole(wish.name, wish.name, f"the table {source}", convention)

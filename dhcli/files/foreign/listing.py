@@ -32,7 +32,7 @@ _CALLED = regex(r"([A-Za-z]\w*)\s*\(")
 _KEYS = ("theta", "d", "a", "alpha", "offset", "qlim", "sigma", "mdh")
 
 
-def read_listing(text: str, source: str, name: str, units: str) -> Robot:
+def read_listing(text: str, source: str, name: str, units: str, *, as_typed: bool = False) -> Robot:
     """A robot from the links of a listing.
 
     Args:
@@ -40,18 +40,20 @@ def read_listing(text: str, source: str, name: str, units: str) -> Robot:
         source: What it is called in errors.
         name: What the robot is called.
         units: Unit of its lengths; metres by default, as the toolbox has it.
+        as_typed: Whether 1.5708 stays what it is, and is not taken as 90°.
 
     Raises:
         FileError: With all that cannot be read.
     """
-    return _Listing(source, units, text).robot(name)
+    return _Listing(source, units, text, as_typed=as_typed).robot(name)
 
 
 class _Listing:
     """One pass over the statements."""
 
-    def __init__(self, source: str, units: str, text: str) -> None:
+    def __init__(self, source: str, units: str, text: str, *, as_typed: bool) -> None:
         self.source = source
+        self.as_typed = as_typed
         self.units = units
         self.lines = text.split("\n")
         self.links: list[ToolboxLink] = []
@@ -82,7 +84,7 @@ class _Listing:
             *self.values,
             *(text for text, _ in self.ends.values()),
         ]
-        reader = Reader(scope_of(texts))
+        reader = Reader(scope_of(texts), as_typed=self.as_typed)
         for i, link in enumerate(links, 1):
             unused = link.said.get(link.own, "0")
             if unused.strip("+-.0") and link.own not in rows[i - 1].cells:

@@ -144,9 +144,10 @@ def in_unit(expr: Expr, unit: str) -> Expr:
 class Reader:
     """Reads cells and rows one after another; what is wrong is collected."""
 
-    def __init__(self, scope: Scope) -> None:
-        """Take the names that may stand in them."""
+    def __init__(self, scope: Scope, *, as_typed: bool = False) -> None:
+        """Take the names that may stand in them, and whether 1.5708 rad stays what it is."""
         self.scope = scope
+        self.as_typed = as_typed
         self.problems: list[Problem] = []
         self.remarks: list[str] = []
         self.variables: dict[int, str] = {}
@@ -245,7 +246,7 @@ class Reader:
         try:
             typed = in_unit(self.parsed(cell), cell.unit)
             said: list[str] = []
-            found = to_angle(with_right_angles(typed, said), bare="refuse")
+            found = to_angle(typed if self.as_typed else with_right_angles(typed, said), bare="refuse")
             self.remarks += [type(remark)(f"{column}: {remark}") for remark in said]
         except DimensionError as error:
             hint = error.hint or "write 90°"

@@ -55,3 +55,6 @@ LINKAGE = (
 )
 FORMS = ("joints", "chain", "bars", "loop")
 """The keys of a linkage of which one must stand there."""
+
+SIGNS = (*FORMS, "lambda", "space")
+"""Keys that no file of another kind has."""

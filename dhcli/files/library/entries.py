@@ -15,6 +15,7 @@ from functools import lru_cache
 from pathlib import Path
 from stat import S_ISDIR
 
+from dhcli.errors import DhcliError
 from dhcli.frozen import frozen
 
 BUILT_IN = "built-in"
@@ -86,6 +87,26 @@ def list_robots() -> tuple[str, ...]:
 def is_own(name: str) -> bool:
     """Whether dhcli brings a robot of that name along."""
     return any(entry.name == name and entry.origin == BUILT_IN for entry in entries(Kind.ROBOTS))
+
+
+def refuse_namesake(kind: Kind, name: str) -> None:
+    """Refuse a new name that something of another kind has: which of them is meant would be anybody's guess.
+
+    Args:
+        kind: What is to be called so.
+        name: Its name; of an exercise the part behind its course counts.
+
+    Raises:
+        DhcliError: It is taken.
+    """
+    last = name.rsplit("/", maxsplit=1)[-1]
+    for other in Kind:
+        if other is kind:
+            continue
+        for entry in entries(other):
+            if entry.name.split("/")[-1] == last:
+                where = f"{'built-in ' if entry.origin == BUILT_IN else ''}{other.noun} {entry.name}"
+                raise DhcliError(f"{last} is the name of the {where}, too", f"name the {kind.noun} otherwise")
 
 
 def full_id(name: str) -> str:

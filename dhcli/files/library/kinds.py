@@ -5,13 +5,14 @@ from __future__ import annotations
 from os.path import isdir, isfile
 
 from dhcli.errors import FileError
+from dhcli.files.keys.linkages import SIGNS
 from dhcli.files.library.entries import YAML, Kind, entries, full_id, holds
 from dhcli.files.reading import read_text
 
 _SIGNS = {
     **dict.fromkeys(("convention:", "variables:"), Kind.ROBOTS),
     **dict.fromkeys(("parts:", "task:", "tests:", "numeric:"), Kind.EXERCISES),
-    **dict.fromkeys(("joints:", "chain:", "bars:", "loop:", "lambda:", "space:"), Kind.LINKAGES),
+    **dict.fromkeys((f"{key}:" for key in SIGNS), Kind.LINKAGES),
 }
 """Keys at the left of a file that tell what it is, the first of them."""
 

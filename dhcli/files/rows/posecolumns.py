@@ -14,6 +14,7 @@ from dhcli.frozen import frozen
 from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw
 from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
 from dhcli.kinematics.placement import ORIENTATIONS
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -22,6 +23,9 @@ _HINT = (
     f"wanted: {','.join(MATRIX)}, or {','.join(POSITION)}, also with an orientation beside it such as "
     f"{','.join(TURNS['quaternion'])} or {','.join(TURNS['rpy'])}, as fk --rows writes them"
 )
+
+_A_TURN = 7.0
+"""What no angle of an orientation is beyond [rad]; in degrees it is."""
 
 LENGTHS = frozenset(POSITION)
 ANGLES = frozenset(
@@ -40,6 +44,7 @@ class PoseColumns:
         heads: What they are called.
         factors: What makes metres and radians of them: what times they are, and then over what.
         width: How many columns there are, also of what is no pose.
+        bare: The columns of angles whose heads have no unit.
     """
 
     form: str
@@ -47,6 +52,7 @@ class PoseColumns:
     heads: tuple[str, ...]
     factors: tuple[NDArray[np.float64], NDArray[np.float64]]
     width: int
+    bare: tuple[int, ...] = ()
 
     in_radians = ()
 
@@ -61,7 +67,12 @@ class PoseColumns:
         return posed(self.form, table[:, self.order] * times / over)
 
     def void(self, table: NDArray[np.float64]) -> tuple[Sequence[int], str]:
-        """The rows whose quaternion or axis has no direction."""
+        """The rows whose quaternion or axis has no direction, or whose angles are hardly in radians."""
+        far = np.abs(table[:, self.bare]) > _A_TURN
+        if far.any():
+            heads = [self.names[k] for i, k in enumerate(self.bare) if far[:, i].any()]
+            said = f"{', '.join(heads)}: more than a turn in radians; in degrees the header says so, {heads[0]}[deg]"
+            return np.flatnonzero(far.any(axis=1)).tolist(), said
         parts = directions(self.form, table[:, self.order[len(POSITION) :]])
         none = np.flatnonzero(~parts.any(axis=1)).tolist() if parts.shape[1] else []
         return none, f"{', '.join(TURNS.get(self.form, ()))} are all 0: that is no {self.form}"
@@ -90,7 +101,7 @@ class PoseTable:
         Raises:
             FileError: Always.
         """
-        raise FileError(_missing(POSITION, whole))
+        raise FileError(Problem("poses have a header, and this line has numbers", whole, _HINT))
 
     def columns(self, heads: Sequence[str], places: Sequence[Place], whole: Place) -> PoseColumns:
         """The columns of a table with a header.
@@ -112,7 +123,8 @@ class PoseTable:
             check_alone([name for name in names if name not in POSITION], whole)
         order = tuple(names.index(name) for name in wanted)
         times, over = factors_of(wanted, [units[k] for k in order], [places[k] for k in order])
-        return PoseColumns(form, order, wanted, (times, over), len(heads))
+        bare = tuple(k for k in order if names[k] in ANGLES and not units[k])
+        return PoseColumns(form, order, wanted, (times, over), len(heads), bare)
 
 
 _CALLED = {
@@ -120,6 +132,18 @@ _CALLED = {
     **{f"q{part}": f"q_{part}" for part in "wxyz"},
 }
 """What others call the same columns."""
+
+_IN_MESSAGE = regex(r"(?:\S{0,80}[./_])?(?P<part>position|orientation)[./_](?P<axis>[wxyz])")
+"""A column of a message of ROS, `pose.position.x`."""
+
+_MAKERS = {
+    frozenset("abc"): "A, B, C of KUKA are yaw[deg],pitch[deg],roll[deg]",
+    frozenset("wpr"): "W, P, R of FANUC are roll[deg],pitch[deg],yaw[deg]",
+    frozenset("oat"): "O, A, T of Kawasaki are zyz_1[deg],zyz_2[deg],zyz_3[deg]",
+    frozenset(("rx", "ry", "rz")): "rx, ry, rz of Universal Robots are r_x,r_y,r_z, a rotation vector in radians",
+    frozenset(("q1", "q2", "q3", "q4")): "q1 to q4 of ABB are q_w,q_x,q_y,q_z",
+}
+"""What makers call an orientation, and the columns that say the same."""
 
 _KNOWN = frozenset((*MATRIX, *POSITION, *(name for names in TURNS.values() for name in names)))
 
@@ -136,7 +160,10 @@ def heads_of(cells: Sequence[str], places: Sequence[Place]) -> tuple[list[str], 
             head, unit = name_and_unit(cell, place)
         except RobotError:
             head, unit = cell.strip(), ""
-        heads.append(_CALLED.get(head.lower(), head.lower()))
+        name = _CALLED.get(head.lower(), head.lower())
+        if match := _IN_MESSAGE.fullmatch(name):
+            name = f"{'p' if match['part'] == 'position' else 'q'}_{match['axis']}"
+        heads.append(name)
         units.append(unit)
     return heads, units
 
@@ -169,6 +196,7 @@ def check_alone(others: Sequence[str], place: Place) -> None:
     """
     if unknown := [head for head in others if head not in (INDEX, "")]:
         known = f"an orientation is {','.join(TURNS['quaternion'])} or {','.join(TURNS['rpy'])} in radians"
+        known = next((said for heads, said in _MAKERS.items() if heads <= {*unknown}), known)
         message = f"{', '.join(unknown)} beside a position: that says no orientation that is known"
         raise FileError(Problem(message, place, f"{known}; --task position leaves what else stands there aside"))
 

@@ -14,6 +14,11 @@ MOST = 100
 
 _HEAD = regex(r"answers:\s*(?:#.*)?")
 _KEY = regex(r"(?P<indent> {1,16})(?P<name>[\w-]{1,60}):(?:\s.*)?")
+_AS_WRITTEN = regex(r"[\w-]{1,60}:\s*\|\s*")
+"""The line of a part as `start` writes it; `x: 3` may belong to an answer."""
+_INDENT = regex(r"[ \t]*")
+LEVEL = "  "
+"""What indents a part on a sheet; an answer on lines of its own stands twice as far in."""
 
 
 @frozen
@@ -42,7 +47,7 @@ def read_apart(text: str, source: str) -> tuple[PlacedNode, Mapping[str, Unread]
     try:
         return read_yaml(text, source), {}
     except FileError as error:
-        lines = text.removeprefix("\ufeff").splitlines()
+        lines = list(_without_tabs(text.removeprefix("\ufeff").splitlines()))
         unread = dict[str, Unread]()
         for name, start, end in list(_blocks(lines))[: MOST + 1]:
             problem = _problem(name, ["", *lines[start:end]], start, source)
@@ -50,7 +55,7 @@ def read_apart(text: str, source: str) -> tuple[PlacedNode, Mapping[str, Unread]
                 continue
             unread[name] = Unread("\n".join(lines[start:end]).partition(":")[2].strip(), problem)
             lines[start:end] = [f"{lines[start].partition(':')[0]}: ''", *[""] * (end - start - 1)]
-        if not unread or len(unread) > MOST:
+        if len(unread) > MOST:
             raise
         try:
             return read_yaml("\n".join(lines), source), unread
@@ -58,9 +63,26 @@ def read_apart(text: str, source: str) -> tuple[PlacedNode, Mapping[str, Unread]
             raise error from None
 
 
+def _without_tabs(lines: list[str]) -> Iterator[str]:
+    """The lines with blanks for the tabs that indent answers, which YAML does not take and an editor may write."""
+    head = _head(lines)
+    for i, line in enumerate(lines):
+        indent = match[0] if (match := _INDENT.match(line)) else ""
+        if i <= head or "\t" not in indent:
+            yield line
+            continue
+        is_part = _AS_WRITTEN.fullmatch(line, len(indent))
+        yield (LEVEL if is_part else 2 * LEVEL) + line[len(indent) :]
+
+
+def _head(lines: list[str]) -> int:
+    """The line that the answers stand below, or none."""
+    return next((i for i, line in enumerate(lines) if _HEAD.fullmatch(line)), len(lines))
+
+
 def _blocks(lines: list[str]) -> Iterator[tuple[str, int, int]]:
     """The name of each answer, its first line and the one behind its last, from 0."""
-    head = next((i for i, line in enumerate(lines) if _HEAD.fullmatch(line)), len(lines))
+    head = _head(lines)
     keys = [(i, found) for i in range(head + 1, len(lines)) if (found := _KEY.fullmatch(lines[i]))]
     indent = min((found["indent"] for _, found in keys), key=len, default="")
     first = [(i, found["name"]) for i, found in keys if found["indent"] == indent]

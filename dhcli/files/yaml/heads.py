@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 
 from dhcli.errors import FileError, Problem
+from dhcli.files.keys.linkages import SIGNS
 from dhcli.files.reading import source_of
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar
 from dhcli.files.yaml.slips import node_kind
@@ -16,7 +17,7 @@ _KINDS = (
     (("parts",), "an exercise", "dhcli start {file} writes a sheet for it"),
     (("frames",), "a list of frames", "dhcli check ROBOT --frames {file} judges it"),
     (("variables", "convention"), "a robot", "dhcli show {file} shows it"),
-    (("joints", "chain", "bars", "loop", "lambda", "space"), "a linkage", "dhcli dof {file} counts its freedoms"),
+    (SIGNS, "a linkage", "dhcli dof {file} counts its freedoms"),
 )
 """What tells one kind of file from the others: keys of which no other kind has one, and what it is good for."""
 

@@ -9,7 +9,7 @@ from dhcli.files.yaml.coordinates import Coordinates
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.typed import parsed, read_flag, read_word
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row
+from dhcli.kinematics.conventions import COLUMNS, TABLES, Convention, Row
 from dhcli.mobility.dhloop import joints_of_loop
 from dhcli.mobility.linkage import Joint
 from dhcli.mobility.pairs import LETTERS, WORDS, LinkageError, Pair, Space, pair_of
@@ -213,7 +213,7 @@ class JointReader:
     def loop(self) -> list[Joint]:
         """A closed loop of DH rows."""
         fields = self.fields.mapping("loop", known=names(LOOP), required=required(LOOP))
-        word = read_word(fields, "convention", (Convention.STANDARD, Convention.MODIFIED))
+        word = read_word(fields, "convention", TABLES)
         rows = [self.row(node) for node in fields.sequence("rows")]
         self.problems.raise_if_any()
         self.places = [node.place for node in fields.sequence("rows")]

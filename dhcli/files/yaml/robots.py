@@ -54,7 +54,10 @@ def robot_of(
     if source.lower().endswith((".urdf", ".xacro")):
         hint = "a URDF begins with <robot name=...>; a robot file of dhcli is YAML and ends in .yaml"
         raise FileError(Problem("is no XML, which the end of its name promises", Place(source, 1), hint))
-    if base is not None or tip is not None or as_typed:
+    if as_typed:
+        hint = "exact: false in a robot file keeps its numbers"
+        raise FileError(Problem("only a URDF is read as it is typed when asked to", Place(source), hint))
+    if base is not None or tip is not None:
         hint = "frames of a robot file are named with --from and --to"
         raise FileError(Problem("only a URDF has links to choose from", Place(source), hint))
     return read_robot(text, source, name)

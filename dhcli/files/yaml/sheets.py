@@ -15,12 +15,11 @@ from dhcli.checking.variants import variant_of
 from dhcli.errors import DhcliError, FileError, Place
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.apart import read_apart
+from dhcli.files.yaml.beside import given_lines, how_written, values_text
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, as_text
 from dhcli.files.yaml.prose import folded
-from dhcli.files.yaml.robot_line import robot_line, values_text
 from dhcli.frozen import frozen
-from dhcli.notation.names import parts
 from dhcli.safe import one_line, yaml_scalar
 
 KEYS = ("exercise", "answers", "variant", "given", "name")
@@ -123,9 +122,9 @@ def write_sheet(exercise: Exercise, name: str = "") -> str:
         exercise: The exercise.
         name: Whose sheet it is, if that is known.
     """
-    given = f"Given: {exercise.given_text}" if exercise.given else ""
     credit = f"Worth: {worth_of(exercise)}" if worth_of(exercise) else ""
-    known = [line for text in (given, robot_line(exercise), credit) if text for line in _comment(text)]
+    given = (text[0].upper() + text[1:] for text in given_lines(exercise))
+    known = [line for text in (*given, credit) if text for line in _comment(text)]
     fill = f"Fill in each {BLANK} and save; leave a part as it is to skip it. Then:"
     lines = [
         *_comment(exercise.title),
@@ -136,7 +135,7 @@ def write_sheet(exercise: Exercise, name: str = "") -> str:
         "#",
         *_comment(fill),
         f"#   dhcli check {one_line(exercise.id)} THIS_FILE",  # whole, to be copied
-        *(line for text in _units(exercise) for line in _comment(text)),
+        *(line for text in how_written(exercise) for line in _comment(text)),
         "format: 1",
         f"exercise: {yaml_scalar(exercise.id)}",
         *([f"name: {yaml_scalar(name)}"] if name else []),
@@ -164,34 +163,6 @@ def _value(text: str) -> str:
 def _comment(text: str, first: str = "# ", rest: str = "# ") -> list[str]:
     """Comment lines, folded."""
     return [line.rstrip() or "#" for line in folded(text, WIDEST, first, rest)]
-
-
-def _units(exercise: Exercise) -> Iterator[str]:
-    """How numbers, or symbols, are written in the answers that this sheet asks for."""
-    questions = [part.question for part in exercise.asked]
-    if all(question.is_plain for question in questions):
-        return
-    if exercise.numeric:
-        has_unit = exercise.unit != "none"
-        unit = f": lengths in {exercise.unit} unless a unit stands with them" if has_unit else " without a unit"
-        yield f"Numbers{unit}; 0.7071 or sqrt(2)/2 are both fine."
-    elif any(question.has_cosines for question in questions):
-        yield from _symbols(exercise, in_rows=any(question.in_rows for question in questions))
-        if exercise.unit not in ("m", "none"):
-            yield f"Numbers beside letters: lengths in {exercise.unit} unless a unit stands with them."
-
-
-def _symbols(exercise: Exercise, *, in_rows: bool) -> Iterator[str]:
-    """How symbols are written; the joint of a general link has a letter for its index, and c1 means nothing there."""
-    joints = [name for name in exercise.robot.variables if name in exercise.robot.angles] if exercise.robot else []
-    index = parts(joints[0])[1] if joints else ""
-    if index.isalpha():
-        short, glued, spaced = f"c_{index} for cos({joints[0]})", f"d_{index}*c_{index}", f"d_{index} c_{index}"
-    else:
-        short, glued, spaced = "c1 for cos(theta1), s23 for sin(theta2 + theta3)", "a1*c1 or a1c1", "a1 c1"
-    yield f"Symbols: {short}, or written out."
-    rows = f"; in a row of a matrix, where a blank begins the next cell, {glued}" if in_rows else ""
-    yield f"Products: {glued.replace(' or ', ', ')} or {spaced}{rows}."
 
 
 def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:

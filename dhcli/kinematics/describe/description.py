@@ -7,7 +7,7 @@ from dataclasses import field, replace
 
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row
+from dhcli.kinematics.conventions import COLUMNS, TABLES, Convention, Row
 from dhcli.kinematics.coupling import uncoupled
 from dhcli.kinematics.describe.asked import DRAWN, NAMES, Asked, Form
 from dhcli.kinematics.describe.drawn import Drawing, SharedMovesError, drawing_of
@@ -77,7 +77,7 @@ def describe(robot: Robot, asked: Asked) -> Described:
     if robot.tools:
         found = describe(replace(robot, tools={}), asked)
         return replace(found, notes=(*found.notes, "the tools of the file are left out"))
-    is_table = asked.form in ("standard", "modified")
+    is_table = asked.form in TABLES
     other = {"standard": Convention.MODIFIED, "modified": Convention.STANDARD}.get(asked.form)
     if is_table and robot.convention is other and not asked.from_axes:
         return _regrouped(with_own_values(robot) if asked.numbers else robot, asked.form)
@@ -159,7 +159,7 @@ def _from_axes(robot: Robot, asked: Asked) -> Described:
     drawing = _drawn(robot, asked)
     if not drawing.lines and asked.form != "product":
         raise RobotError(f"{robot.name} has no joints, so it has no {asked.form}", "--as product writes it as moves")
-    if asked.form in ("standard", "modified"):
+    if asked.form in TABLES:
         return _by_process(robot, Convention(asked.form), asked, drawing)
     if screws:
         return _screws(robot, asked.form, drawing)

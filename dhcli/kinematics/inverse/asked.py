@@ -13,11 +13,10 @@ from dhcli.errors import RobotError
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.forward import Given, forward
-from dhcli.kinematics.inverse.branches import branch_names, factors
+from dhcli.kinematics.inverse.answering import answer
 from dhcli.kinematics.inverse.question import Question, ask
 from dhcli.kinematics.inverse.searching import find, nearest_to
-from dhcli.kinematics.inverse.solutions import Free, Solutions, relation, turning_joints
-from dhcli.kinematics.inverse.solving import Solved
+from dhcli.kinematics.inverse.solutions import Solutions
 from dhcli.kinematics.inverse.targets import EXACT, read_targets
 from dhcli.kinematics.inverse.tasks import TaskName
 from dhcli.kinematics.inverse.trying import CONFIRMED
@@ -31,7 +30,6 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from dhcli.kinematics.inverse.arm import Array
-    from dhcli.kinematics.inverse.families import Freedom
 
 
 def inverse(  # noqa: PLR0913  what may be asked of a pose
@@ -61,7 +59,8 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
         hold: Values of joints that are not to be computed; a robot with more joints than the task needs holds one of
             them in any case, and says which.
         family: Into how many values of the joint held a redundant robot's solutions are sampled.
-        within_limits: Whether only solutions inside the joints' limits are wanted.
+        within_limits: Whether only solutions inside the joints' limits are wanted; joints to spare are then held
+            where there are some, if they can be.
         all_turns: Whether an angle is given in each turn that its limits allow.
         start: The frame it is seen from; the first numbered one by default.
         end: The frame that is placed; the last numbered one by default.
@@ -104,14 +103,23 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
         remarks.append(f"the direction cosines were no rotation; the nearest one was taken, {changed:.2g} away")
     nearest = cache(lambda: nearest_to(ready, goal, held))
     solved, said = find(question, goal, held, family, tolerance, nearest)
-    answer = _answer(question, solved, said)
-    answer = replace(answer, remarks=(*remarks, *answer.remarks))
-    if not len(answer):
+    found = answer(question, solved, said)
+    found = replace(found, remarks=(*remarks, *found.remarks))
+    if not len(found):
         from dhcli.kinematics.inverse.unreached import why_not  # not for the poses that are reached
 
-        found = why_not(ready, answer, poses[0], held, nearest(), question.values)
+        found = why_not(ready, found, poses[0], held, nearest(), question.values)
         return replace(found, closest=_easiest(question, found, held, tolerance))
-    return placed(answer, question.near, within_limits=within_limits, all_turns=all_turns)
+    result = placed(found, question.near, within_limits=within_limits, all_turns=all_turns)
+    if len(result) or not said or family:
+        return result
+    from dhcli.kinematics.inverse.inside import held_inside  # not for the poses that are reached inside all limits
+
+    solved, said = held_inside(question, goal, held, tolerance)
+    if not len(solved.motions):
+        return replace(result, remarks=(*result.remarks, *said))
+    found = replace(answer(question, solved, said), remarks=(*remarks, *said))
+    return placed(found, question.near, within_limits=within_limits, all_turns=all_turns)
 
 
 def _easiest(question: Question, found: Solutions, held: dict[int, float], tolerance: float) -> Array | None:
@@ -126,42 +134,6 @@ def _easiest(question: Question, found: Solutions, held: dict[int, float], toler
     solved, _ = find(question, goal, held, None, tolerance, lambda: there)
     if not len(solved.motions):
         return found.closest
-    ways = placed(_answer(question, solved, []), question.near, within_limits=False, all_turns=False)
+    ways = placed(answer(question, solved, []), question.near, within_limits=False, all_turns=False)
     far = ways.distances(question.values(question.best()).tolist())
     return np.asarray(ways.q[min(range(len(ways)), key=lambda k: (not ways.within_limits[k], far[k]))])
-
-
-def _answer(question: Question, solved: Solved, said: list[str]) -> Solutions:
-    robot, ready = question.robot, question.ready
-    q = question.values(solved.motions)
-    free = tuple(tuple(_free(question, row, way) for way in ways) for row, ways in zip(q, solved.freedoms, strict=True))
-    held = tuple((ready.arm.axes[j].name, float(q[0, question.order[j]])) for j in ready.plan.held) if len(q) else ()
-    names = list[str]()
-    once = dict.fromkeys(solved.index.tolist())
-    for index in once:
-        names += branch_names(ready.plan, ready.parts, solved.motions[solved.index == index])
-    return Solutions(
-        robot,
-        ready.task.name,
-        q,
-        tuple(names),
-        solved.residual,
-        free=free,
-        held=held,
-        remarks=tuple(said),
-        factors=factors(ready.plan, ready.parts, solved.motions) if len(once) == 1 else (),
-        ready=ready,
-    )
-
-
-def _free(question: Question, q: Array, way: Freedom) -> Free:
-    """A way to move, in the robot's own variables."""
-    order, factors = question.order, question.ready.arm.factors
-    names = tuple(question.robot.variables[order[j]] for j in way.joints)
-    parameter = order[way.parameter]
-    words = ", ".join(names) + f" move together, any {question.robot.variables[parameter]}"
-    if way.straight:
-        scale = factors[way.parameter]
-        rates = {order[j]: float(way.rates[j] / factors[j] * scale) for j in way.joints}
-        words = relation(question.robot.variables, turning_joints(question.robot), q, rates, parameter)
-    return Free(question.robot.variables[parameter], names, words)

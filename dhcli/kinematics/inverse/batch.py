@@ -13,17 +13,16 @@ from dhcli.errors import RobotError, did_you_mean
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.inverse.asked import inverse
+from dhcli.kinematics.inverse.found import Found
 from dhcli.kinematics.inverse.question import Question, ask
 from dhcli.kinematics.inverse.reasons import too_far
 from dhcli.kinematics.inverse.running import run
 from dhcli.kinematics.inverse.searching import SEARCHED, find, nearest_to, sampled
-from dhcli.kinematics.inverse.solutions import turning_joints
 from dhcli.kinematics.inverse.solving import Solved, least_singular, representatives, tries
 from dhcli.kinematics.inverse.targets import read_targets
 from dhcli.kinematics.inverse.tasks import TaskName
-from dhcli.kinematics.inverse.trying import CONFIRMED, Found
-from dhcli.kinematics.inverse.turns import limits_of
-from dhcli.kinematics.limits import SLACK
+from dhcli.kinematics.inverse.trying import CONFIRMED
+from dhcli.kinematics.inverse.turns import are_inside, in_turn
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.sharing import check_threads, shared
@@ -77,7 +76,8 @@ def inverse_batch(  # noqa: PLR0913  what may be asked of poses
         each: Which solutions of each pose are wanted; `nearest` goes by `near`.
         near: Joint values in whatever form `forward` takes.
         hold: Values of joints that are not to be computed.
-        within_limits: Whether only solutions inside the joints' limits are wanted.
+        within_limits: Whether only solutions inside the joints' limits are wanted; of a pose for which there are none,
+            joints to spare are held elsewhere.
         start: The frame they are seen from; the first numbered one by default.
         end: The frame that is placed; the last numbered one by default.
         parameters: Lengths and angles to use instead of the robot's own.
@@ -113,11 +113,9 @@ def inverse_batch(  # noqa: PLR0913  what may be asked of poses
     poses, _ = read_targets(T, question.ready.task)
     values, indices = [], []
     for first, found in solved_blocks(question, poses, held, tolerance, threads):
-        q = _in_turn(question, question.values(found.motions))
-        index = found.index
         if within_limits:
-            inside = _inside(robot, q)
-            q, index = q[inside], index[inside]
+            found = _inside(question, poses[first : first + BLOCK], held, tolerance, found)  # noqa: PLW2901
+        q, index = _in_turn(question, found), found.index
         if each != "all":
             kept = _one_each(question, q, index)
             q, index = q[kept], index[kept]
@@ -157,7 +155,7 @@ def _solved_block(question: Question, goals: Array, fixed: dict[int, Array], tol
     """What the plan finds of a block of poses with joints held, sorted by pose; of a family one member."""
     ready = question.ready
     found = run(ready.plan, ready.task, goals, tries(ready, question.best()), fixed, tolerance)
-    loose = np.flatnonzero(found.free)
+    loose = np.flatnonzero(np.isin(found.index, found.index[found.free != 0]))
     if len(loose):
         least = np.ones(len(found.index))
         least[loose] = least_singular(ready, found.motions[loose])
@@ -186,19 +184,45 @@ def _searched(question: Question, goals: Array, held: dict[int, float], toleranc
     return found.joined(Found(index, motions, residual, none, none, none))
 
 
+def _in_turn(question: Question, found: Found) -> Array:
+    """Joint values of solutions, shape (M, n), angles in the turn that limits allow."""
+    return in_turn(question.robot, question.values(found.motions), question.near)
+
+
+def _inside(question: Question, poses: Array, held: dict[int, float], tolerance: float, found: Found) -> Found:
+    """What of a block is inside all limits; of a pose of which nothing is, with joints to spare held where some is."""
+    found = found.take(are_inside(question.robot, _in_turn(question, found)))
+    ready, goals = question.ready, question.ready.arm.goal(poses)
+    if not (chosen := [j for j in ready.plan.held if j not in held]):
+        return found
+    near = [k for k in _lost(found, goals) if not too_far(ready.arm, ready.task, goals[k])]
+    for at in (near[k : k + _TOGETHER] for k in range(0, len(near), _TOGETHER)):
+        more = _held_elsewhere(question, goals[at], held, chosen, tolerance, within_limits=True)
+        found = found.joined(replace(more, index=np.array(at)[more.index]))
+    return found
+
+
 def _lost(found: Found, goals: Array) -> list[int]:
     """The poses for which nothing was found."""
     return np.flatnonzero(np.bincount(found.index, minlength=len(goals)) == 0).tolist()
 
 
 def _held_elsewhere(
-    question: Question, goals: Array, held: dict[int, float], chosen: list[int], tolerance: float
+    question: Question,
+    goals: Array,
+    held: dict[int, float],
+    chosen: list[int],
+    tolerance: float,
+    *,
+    within_limits: bool = False,
 ) -> Found:
     """The solutions of each pose with joints to spare where they do, as near as can be to where they should stand."""
     best = question.best(chosen)
     values = sampled(question, held, chosen, best, SEARCHED)
     fixed = {j: np.tile(each, len(goals)) for j, each in values.items()}
     found = _solved_block(question, np.repeat(goals, SEARCHED, axis=0), fixed, tolerance)
+    if within_limits:
+        found = found.take(are_inside(question.robot, _in_turn(question, found)))
     pose = found.index // SEARCHED
     away = np.abs(found.motions[:, chosen] - best[chosen]).sum(axis=1)
     order = np.lexsort((away, pose))
@@ -214,28 +238,6 @@ def by_itself(
     nowhere = np.zeros(question.ready.arm.joints), np.inf, np.inf
     nearest = partial(nearest_to, question.ready, goal, held) if to_the_nearest else lambda: nowhere
     return find(question, goal, held, None, tolerance, nearest)[0]
-
-
-def _in_turn(question: Question, q: Array) -> Array:
-    """Angles in the turn that the limits allow, or the nearest one to what is wanted."""
-    robot = question.robot
-    turning = turning_joints(robot)
-    if question.near is not None:
-        q = np.where(turning, q - 2 * np.pi * np.round((q - question.near) / (2 * np.pi)), q)
-    if not robot.limits:
-        return q
-    low, high = limits_of(robot).T
-    with np.errstate(invalid="ignore"):
-        up = np.where(q < low - SLACK, np.ceil((low - SLACK - q) / (2 * np.pi)), 0.0)
-        down = np.where(q > high + SLACK, np.floor((high + SLACK - q) / (2 * np.pi)), 0.0)
-    moved = np.where(turning, q + 2 * np.pi * (up + down), q)
-    inside = (moved >= low - SLACK) & (moved <= high + SLACK)
-    return np.where(inside, moved, q)
-
-
-def _inside(robot: Robot, q: Array) -> NDArray[np.bool_]:
-    low, high = limits_of(robot).T
-    return np.asarray(((q >= low - SLACK) & (q <= high + SLACK)).all(axis=1))
 
 
 def _one_each(question: Question, q: Array, index: NDArray[np.int64]) -> NDArray[np.int64]:

@@ -1,30 +1,31 @@
-"""Poses at which two or three joints do not follow from their equations: other three are taken there.
+"""Poses at which two or three joints may not follow from their equations: others are taken there.
 
-At some poses at right angles the equations left for three joints depend on each other, whatever the joints are. Carried
-by other joints, the same axis or another one gives equations that do not. Where no three are left, or none help,
-Newton's steps lead to the solutions from many places.
+At some poses at right angles the equations left for joints depend on each other, whatever the joints are. Those left
+for other joints, or of another axis carried by other joints, may not. What none of them tell, as that the arm can move
+there, Newton's steps from many places find. Where roots meet, one way to take joints may lose what another one finds.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhcli.kinematics.inverse.found import Found, once, regular
 from dhcli.kinematics.inverse.rule_all import degenerate
 from dhcli.kinematics.inverse.rule_two import silent
 from dhcli.kinematics.inverse.steps import All, One, Plan, Two
 from dhcli.kinematics.inverse.tasks import Task
-from dhcli.kinematics.inverse.trying import Found, candidates, led, once, tried
+from dhcli.kinematics.inverse.trying import candidates, led, tried
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array, Flags
 
-_KEPT = 64
-"""Plans by other three joints that are remembered."""
+_KEPT = 16
+"""Plans whose other ways are remembered."""
 
 
 def elsewhere(  # noqa: PLR0913, PLR0917  what a plan is tried with
@@ -36,7 +37,7 @@ def elsewhere(  # noqa: PLR0913, PLR0917  what a plan is tried with
     tolerance: float,
     found: Found,
 ) -> Found:
-    """What was found, and what other three joints lead to at poses where those of the plan say nothing.
+    """What was found, and what other joints at once lead to where those of the plan say nothing, or roots meet.
 
     Args:
         plan: A plan that takes two or three joints at once.
@@ -47,23 +48,21 @@ def elsewhere(  # noqa: PLR0913, PLR0917  what a plan is tried with
         tolerance: Residual up to which a candidate is a solution.
         found: What the plan has found.
     """
-    left = np.flatnonzero(_blind(*_parted(plan), goal, draws, held))
-    if not len(left):
+    blind = _blind(plan, goal, draws, held)
+    special = blind.copy()
+    special[found.index[~regular(plan, task, found.motions)]] = True
+    at = np.flatnonzero(special)
+    if not len(at):
         return found
-    for other in _other_three(plan):
-        completed = _completed(_parted(plan)[0], other)
-        if completed is None:
-            continue
-        seen = ~_blind(*_parted(completed), goal[left], draws, {j: value[left] for j, value in held.items()})
-        at, left = left[seen], left[~seen]
-        if len(at):
-            more = tried(completed, task, goal[at], draws, {j: value[at] for j, value in held.items()}, tolerance)
-            found = found.joined(replace(more, index=at[more.index]))
-        if not len(left):
-            break
-    if len(left):
-        more = led(plan, task, goal[left], {j: value[left] for j, value in held.items()}, tolerance)
-        found = found.joined(replace(more, index=left[more.index]))
+    there = {j: value[at] for j, value in held.items()}
+    for other in _others(plan):  # of those that see something each may still miss what another one finds
+        seen = ~_blind(other, goal[at], draws, there)
+        if seen.any():
+            own = {j: value[seen] for j, value in there.items()}
+            more = tried(other, task, goal[at[seen]], draws, own, tolerance)
+            found = found.joined(replace(more, index=at[seen][more.index]))
+    if blind.any():
+        found = led(plan, task, goal, np.flatnonzero(blind), held, tolerance, found)
     return once(plan, task, goal, found)
 
 
@@ -73,8 +72,9 @@ def _parted(plan: Plan) -> tuple[Plan, Two | All]:
     return replace(plan, steps=plan.steps[:place], meant=None), step
 
 
-def _blind(begun: Plan, step: Two | All, goal: Array, draws: Array, held: Mapping[int, Array]) -> Flags:
-    """The poses at which a step says nothing of its joints, shape (P,)."""
+def _blind(plan: Plan, goal: Array, draws: Array, held: Mapping[int, Array]) -> Flags:
+    """The poses at which a plan's step for several joints says nothing of them, shape (P,)."""
+    begun, step = _parted(plan)
     rows = candidates(begun, goal, draws, held)
     blind = np.zeros(len(goal), dtype=bool)
     if len(rows):
@@ -82,18 +82,9 @@ def _blind(begun: Plan, step: Two | All, goal: Array, draws: Array, held: Mappin
     return blind
 
 
-def _other_three(plan: Plan) -> Iterator[All]:
-    from dhcli.kinematics.inverse.planning_all import other_three  # few poses need one
-
-    begun, step = _parted(plan)
-    if isinstance(step, Two):
-        return
-    unknown = [j for j in range(len(plan.actions.arm.axes)) if j not in begun.known]
-    yield from other_three(plan.actions, unknown, step)
-
-
 @lru_cache(maxsize=_KEPT)
-def _completed(begun: Plan, step: All) -> Plan | None:
-    from dhcli.kinematics.inverse.planning import with_three  # few poses need one
+def _others(plan: Plan) -> tuple[Plan, ...]:
+    """The same plan with other two or three joints for those that it takes at once, in every way there is."""
+    from dhcli.kinematics.inverse.planning import otherwise  # few poses need one
 
-    return with_three(begun, step)
+    return tuple(otherwise(*_parted(plan)))

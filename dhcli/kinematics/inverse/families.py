@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from dhcli.kinematics.inverse.matrices import eliminate
 from dhcli.kinematics.inverse.polishing import SINGULAR, jacobian, polished, product, residuals
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Arm, Array, Flags
+    from dhcli.kinematics.inverse.arm import Arm, Array, Flags, Ints
     from dhcli.kinematics.inverse.tasks import Task
 
 _TRY = 0.05
@@ -27,6 +28,10 @@ _BESIDE = 1e-5
 
 _STRIDE = 0.25
 _WHOLE = 1e-6
+
+
+Pattern: TypeAlias = tuple[int, ...]
+"""The joints that move in one way."""
 
 
 @frozen
@@ -134,7 +139,59 @@ def _walked(arm: Arm, task: Task, motions: Array, goal: Array, parameter: int, h
     return None
 
 
-def alike(arm: Arm, motions: Array, member: Array, ways: tuple[Freedom, ...]) -> Flags:
+def one_of_each(
+    arm: Arm, task: Task, motions: Array, path: Ints, rates: Sequence[Array], held: tuple[int, ...] = ()
+) -> dict[int, tuple[Freedom, ...]]:
+    """Of solutions of one pose the first member of each family, and those that are alone.
+
+    Where families cross, the arm may begin to move in the ways of each of them, and every one is shown by another.
+
+    Args:
+        arm: The arm.
+        task: What of the end has to stay.
+        motions: Solutions, shape (N, n).
+        path: The choices among roots that led to them; joints that do not move at constant rates tell no families
+            apart that came about by different ones.
+        rates: What `standing_still` finds of each.
+        held: Joints that do not move.
+
+    Returns:
+        By their numbers those that are left, each with the ways in which the arm can move there.
+    """
+    covered = [set[Pattern]() for _ in rates]
+    first: dict[int, tuple[Freedom, ...]] = {}
+    alone, beside = list[int](), set[int]()
+    for k in sorted(range(len(motions)), key=lambda k: len(rates[k])):
+        if len(rates[k]) and _are_shown(_moving(rates[k]), covered[k]):
+            continue
+        ways = freedoms(arm, task, motions[k], held, rates[k])
+        own = _moving(way.rates for way in ways)
+        if not ways:
+            alone.append(k)
+        elif not _are_shown(own, covered[k]):
+            first[k] = ways
+            near = np.flatnonzero(_alike(arm, motions, motions[k], ways)).tolist()
+            if not all(way.straight for way in ways):
+                near = [i for i in near if path[i] == path[k] or len(rates[i]) > len(rates[k])]
+            beside.update(near)
+            for other in near:
+                covered[other] |= own
+    # one that is beside a family by rounding alone cannot move at all
+    return first | {k: () for k in alone if k not in beside}
+
+
+def _are_shown(ways: set[Pattern], others: set[Pattern]) -> bool:
+    """Whether ways are among others; of several, which are mixtures, whether there are as many with the same joints."""
+    same = {j for way in ways for j in way} <= {j for way in others for j in way}
+    return ways <= others or (same and 1 < len(ways) <= len(others))
+
+
+def _moving(rates: Iterable[Sequence[float] | Array]) -> set[Pattern]:
+    """Which joints move in each of some ways."""
+    return {tuple(np.flatnonzero(way).tolist()) for way in rates}
+
+
+def _alike(arm: Arm, motions: Array, member: Array, ways: tuple[Freedom, ...]) -> Flags:
     """Which solutions, shape (N, n), may be members of the families of another one, shape (n,).
 
     All joints that do not move in them stand as there, and those that move at constant rates where these lead.

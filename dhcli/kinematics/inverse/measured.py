@@ -14,11 +14,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.kinematics.inverse.arm import nearest_turn
+from dhcli.kinematics.inverse.found import Found, once
 from dhcli.kinematics.inverse.idealised import NEARLY
 from dhcli.kinematics.inverse.polishing import jacobian, left_to_do
 from dhcli.kinematics.inverse.steps import Plan
 from dhcli.kinematics.inverse.tasks import Task
-from dhcli.kinematics.inverse.trying import Found, candidates, confirmed, missed, once
+from dhcli.kinematics.inverse.trying import candidates, confirmed, missed
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array, Flags, Ints

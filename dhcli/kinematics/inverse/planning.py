@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -13,11 +14,11 @@ from dhcli.kinematics.inverse.idealised import idealised
 from dhcli.kinematics.inverse.matrices import PARALLEL, Actions
 from dhcli.kinematics.inverse.motions import CIRCLE, POINT
 from dhcli.kinematics.inverse.pairings import Cut, Loop, cuts
-from dhcli.kinematics.inverse.planning_all import find_all, made_ready
-from dhcli.kinematics.inverse.planning_two import find_two
+from dhcli.kinematics.inverse.planning_all import find_all, other_three
+from dhcli.kinematics.inverse.planning_two import find_two, other_two
 from dhcli.kinematics.inverse.rows import ROUNDED
 from dhcli.kinematics.inverse.samples import SAMPLES, Samples
-from dhcli.kinematics.inverse.steps import All, Equation, Kind, One, Plan, Step, found_by
+from dhcli.kinematics.inverse.steps import All, Equation, Kind, One, Plan, Step, Two, found_by
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array
@@ -97,16 +98,14 @@ def completed(begun: Plan) -> Plan:
     return replace(begun, steps=tuple(steps), slack=slack)
 
 
-def with_three(begun: Plan, step: All) -> Plan | None:
-    """A plan that has begun, with three joints at once by a way not tried yet, and all that follows; None if none."""
-    samples = Samples(begun.actions)
-    ready = made_ready(samples, samples.loop(begun.known), step)
-    if ready is None:
-        return None
-    try:
-        return completed(replace(begun, steps=(*begun.steps, ready)))
-    except NoPlanError:
-        return None
+def otherwise(begun: Plan, step: Two | All) -> Iterator[Plan]:
+    """Plans that have begun, with other joints at once than those of a step, and all that follows."""
+    samples, unknown = Samples(begun.actions), [j for j in range(len(begun.actions.arm.axes)) if j not in begun.known]
+    loop = samples.loop(begun.known)
+    twos = other_two(samples, loop, unknown, step) if isinstance(step, Two) else ()
+    for other in (*twos, *other_three(samples, loop, unknown, step)):
+        with suppress(NoPlanError):
+            yield completed(replace(begun, steps=(*begun.steps, other)))
 
 
 def find_one(samples: Samples, loop: Loop, unknown: Sequence[int], missing: Sequence[int]) -> One | None:

@@ -13,7 +13,7 @@ from dhcli.kinematics.inverse.motions import CIRCLE, POINT
 from dhcli.kinematics.inverse.pairings import GOAL, Loop
 from dhcli.kinematics.inverse.planning_two import independent
 from dhcli.kinematics.inverse.rule_all import EQUATIONS, sides, solved
-from dhcli.kinematics.inverse.steps import All
+from dhcli.kinematics.inverse.steps import All, Two
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array
@@ -55,16 +55,19 @@ def find_all(samples: Samples, loop: Loop, unknown: Sequence[int]) -> All | None
     return None if best is None else best[1]
 
 
-def other_three(actions: Actions, unknown: Sequence[int], step: All) -> Iterator[All]:
-    """Ways to take other three joints at once than a step does, or the same against other two, not tried yet."""
-    seen = {_parts(step)}
-    for other in _arrangements(actions, unknown):
+def other_three(samples: Samples, loop: Loop, unknown: Sequence[int], step: Two | All) -> Iterator[All]:
+    """Ways to take three joints at once, each other three or against other two; not those of a step."""
+    if not _FEWEST <= len(unknown) <= _MOST:
+        return
+    seen = {_parts(step)} if isinstance(step, All) else set()
+    for other in _arrangements(samples.actions, unknown):
         if _parts(other) not in seen:
             seen.add(_parts(other))
-            yield other
+            if (ready := _made_ready(samples, loop, other)) is not None:
+                yield ready
 
 
-def made_ready(samples: Samples, loop: Loop, step: All) -> All | None:
+def _made_ready(samples: Samples, loop: Loop, step: All) -> All | None:
     """A way to take three joints at once with its equations, if it finds them; in whichever order."""
     for a, b, c in permutations(step.joints):
         ready = _rows(loop, replace(step, joints=(a, b, c)))

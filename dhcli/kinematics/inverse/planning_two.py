@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import combinations, permutations
 from typing import TYPE_CHECKING
 
@@ -33,6 +33,26 @@ _HITS = 1e-5
 def find_two(samples: Samples, loop: Loop, unknown: Sequence[int], missing: Sequence[int]) -> Two | None:
     """The best two equations in two joints, if there are two."""
     best: tuple[float, Two] | None = None
+    for step, pairs in _pairs_of(samples, loop, unknown, missing):
+        bar = _HITS if best is None else best[0] / 10
+        error = _error(samples, step.joint, step.other, pairs, bar)
+        if error < bar:
+            best = error, step
+    return None if best is None else best[1]
+
+
+def other_two(samples: Samples, loop: Loop, unknown: Sequence[int], step: Two) -> Iterator[Two]:
+    """Every two equations in two joints but those of a step."""
+    missing = [j for j in unknown if j < samples.actions.arm.joints]
+    for other, pairs in _pairs_of(samples, loop, unknown, missing):
+        if other != step and _error(samples, other.joint, other.other, pairs, _HITS) < _HITS:
+            yield other
+
+
+def _pairs_of(
+    samples: Samples, loop: Loop, unknown: Sequence[int], missing: Sequence[int]
+) -> Iterator[tuple[Two, Array]]:
+    """Two joints and two equations in them, with their coefficients at the samples, shape (N, 2, 3, 3)."""
     for joint, other in permutations(missing, 2):
         wanted = tuple(sorted((joint, other)))
         equations = list[tuple[Cut, int]]()
@@ -43,13 +63,8 @@ def find_two(samples: Samples, loop: Loop, unknown: Sequence[int], missing: Sequ
             kept = [k for k in range(tensor.shape[1]) if sizes[k] > _VANISHES]
             equations += [(cut, k) for k in kept]
             rows += [tensor[:, k] for k in kept]
-        chosen = independent(rows)[:_MOST]
-        for i, k in combinations(chosen, 2):
-            bar = _HITS if best is None else best[0] / 10
-            error = _error(samples, joint, other, np.stack([rows[i], rows[k]], axis=1), bar)
-            if error < bar:
-                best = error, Two(joint, other, (equations[i], equations[k]))
-    return None if best is None else best[1]
+        for i, k in combinations(independent(rows)[:_MOST], 2):
+            yield Two(joint, other, (equations[i], equations[k])), np.stack([rows[i], rows[k]], axis=1)
 
 
 def independent(rows: Sequence[Array]) -> list[int]:

@@ -18,6 +18,9 @@ STEPS = 12
 ENOUGH = 4e-15
 """A residual that no further step makes smaller."""
 
+POLISH = 2e-14
+"""Candidates above this are led nearer by Newton's steps."""
+
 SINGULAR = 1e-6
 """Singular values of the Jacobian below this may be zero; a finite motion then decides."""
 

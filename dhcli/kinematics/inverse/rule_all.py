@@ -217,11 +217,20 @@ def _left(three: Array, two: Array, count: int) -> Array:
     flat = two.reshape(len(two), two.shape[1], 9)
     total = np.broadcast_to(three, (count, *three.shape[1:])).copy()
     total[:, :, 0, 0, 0] -= flat[:, :, 0]
-    null = np.linalg.qr(flat[:, :, 1:], mode="complete")[0][:, :, 8:]
-    if null.shape[2] > EQUATIONS:
-        null = null @ (spread(null.shape[2], EQUATIONS, 3) - 0.5)
+    orthogonal, triangle = np.linalg.qr(flat[:, :, 1:], mode="complete")
+    null = _combined(orthogonal[:, :, 8:])
+    sizes = np.abs(np.diagonal(triangle, axis1=1, axis2=2)).min(axis=1)
+    for k in np.flatnonzero(sizes < _SINGULAR).tolist():  # at some poses at right angles more equations are left
+        whole, size, _ = np.linalg.svd(flat[k, :, 1:])
+        null[k] = _combined(whole[:, np.count_nonzero(size > _SINGULAR) :])
     result = null.transpose(0, 2, 1) @ total.reshape(count, total.shape[1], 27)
     return np.asarray(result.reshape(count, -1, 3, 3, 3))
+
+
+def _combined(null: Array) -> Array:
+    """As many columns as equations are needed, shape (..., m, 6), of all that there are."""
+    count = null.shape[-1]
+    return null if count == EQUATIONS else null @ (spread(count, EQUATIONS, 3) - 0.5)
 
 
 def _pencil(system: Array, turn: tuple[float, ...], turning: list[bool]) -> Array:

@@ -23,8 +23,11 @@ _POINTS = 16
 _NEAR_CIRCLE = 1e-2
 """Roots this close to the unit circle are tried; Newton's steps and the robot decide."""
 
-_SPLIT, _SPLIT_WIDE = 1e-5, 2e-3
-"""Two roots that are closer than this may be one that rounding has split; so may three or more."""
+_SPLIT = 1e-5
+"""Two roots that are closer than this may be one that rounding has split."""
+
+_SPLIT_WIDE = ((3, 2e-3), (5, 2e-2))
+"""So may as many roots or more that are closer than this."""
 
 _VANISHED = 1e-12
 """A resultant below this everywhere says nothing."""
@@ -136,7 +139,7 @@ def unit_roots(values: Array) -> tuple[Ints, Array]:
 def _middles(z: NDArray[Any], real: Flags) -> tuple[Ints, Array]:
     """Where roots stand that rounding has split: a double one by the root of its size, a fourfold one by its fourth.
 
-    Between those it was split into stands the one that equations may vanish at.
+    Between those it was split into stands the one that equations may vanish at, far more exact than they are.
 
     Args:
         z: Roots, shape (N, 8).
@@ -147,9 +150,10 @@ def _middles(z: NDArray[Any], real: Flags) -> tuple[Ints, Array]:
     """
     apart = np.where(real[:, :, None] & real[:, None], np.abs(z[:, :, None] - z[:, None]), np.inf)
     row, i, k = np.nonzero(np.triu(apart < _SPLIT, 1))
-    wide = apart < _SPLIT_WIDE
-    if not np.triu(wide, 1).any():
-        return row, np.empty(0)
-    many, first = np.nonzero((wide.sum(axis=2) > 2) & (wide.argmax(axis=2) == np.arange(z.shape[1])))  # noqa: PLR2004
-    middle = np.einsum("nk,nk->n", wide[many, first], z[many])
-    return np.concatenate([row, many]), np.angle(np.concatenate([z[row, i] + z[row, k], middle]))
+    rows, middles = [row], [z[row, i] + z[row, k]]
+    for fewest, width in _SPLIT_WIDE:
+        near = apart < width
+        many, first = np.nonzero((near.sum(axis=2) >= fewest) & (near.argmax(axis=2) == np.arange(z.shape[1])))
+        rows.append(many)
+        middles.append(np.einsum("nk,nk->n", near[many, first], z[many]))
+    return np.concatenate(rows), np.angle(np.concatenate(middles))

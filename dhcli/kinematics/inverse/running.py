@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhcli.kinematics.inverse.found import Found, once
 from dhcli.kinematics.inverse.rows import ROUNDED
 from dhcli.kinematics.inverse.steps import All, One, Plan, Step
 from dhcli.kinematics.inverse.tasks import Task
-from dhcli.kinematics.inverse.trying import CONFIRMED, Found, once, tried
+from dhcli.kinematics.inverse.trying import CONFIRMED, tried
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array

@@ -62,16 +62,14 @@ def find(
         solved = solve(ready, goal, best, sampled(question, held, chosen, best, SEARCHED), tolerance)
         if len(solved.motions):
             distance = np.abs(solved.motions[:, chosen] - best[chosen]).sum(axis=1)
-            at = np.flatnonzero(solved.index == solved.index[int(np.argmin(distance))])
-            ways = tuple(solved.freedoms[k] for k in at)
-            solved = Solved(solved.motions[at], solved.residual[at], ways, solved.index[at])
+            solved = solved.taken(solved.index == solved.index[int(np.argmin(distance))])
     if not len(solved.motions) and family is None:
         motions, apart, angle = nearest()
         if max(apart / ready.arm.reach, angle) < REACHED:
             solved = solve(ready, goal, motions, sampled(question, held, chosen, motions, 1), tolerance)
             solved = solved if len(solved.motions) else solve(ready, goal, motions, None, tolerance, motions)
     more = f"{question.robot.name} has {plural(ready.spare, 'joint')} more than this needs"
-    return solved, [f"{more}: {_held_words(question, chosen, solved, family)}"]
+    return solved, [f"{more}: {held_words(question, chosen, solved, family)}"]
 
 
 def _searched(question: Question, goal: Array, nearest: Near, tolerance: float) -> Solved:
@@ -88,7 +86,7 @@ def nearest_to(ready: Prepared, goal: Array, held: dict[int, float]) -> Near:
     return nearest_reachable(ready, goal, held)
 
 
-def _held_words(question: Question, chosen: list[int], solved: Solved, family: int | None) -> str:
+def held_words(question: Question, chosen: list[int], solved: Solved, family: int | None = None) -> str:
     """Which joints were held, and where if it is the same for all solutions; of a family, how many values do."""
     order = question.order
     names = ", ".join(question.robot.variables[order[j]] for j in sorted(chosen))

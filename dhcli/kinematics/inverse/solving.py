@@ -9,11 +9,12 @@ import numpy as np
 
 from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.arm import nearest_turn
+from dhcli.kinematics.inverse.found import Found
 from dhcli.kinematics.inverse.polishing import SINGULAR, jacobian, product, residuals
 from dhcli.kinematics.inverse.prepared import Prepared
 from dhcli.kinematics.inverse.rows import Rows
 from dhcli.kinematics.inverse.running import run
-from dhcli.kinematics.inverse.trying import CONFIRMED, Found, confirmed
+from dhcli.kinematics.inverse.trying import CONFIRMED, confirmed
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array, Flags, Ints
@@ -40,6 +41,11 @@ class Solved:
     freedoms: tuple[tuple[Freedom, ...], ...]
     index: Ints
     """Which of the values of the joints held each is for, shape (K,)."""
+
+    def taken(self, at: Flags) -> Solved:
+        """Some of them."""
+        ways = tuple(self.freedoms[k] for k in np.flatnonzero(at).tolist())
+        return Solved(self.motions[at], self.residual[at], ways, self.index[at])
 
 
 def solve(
@@ -75,12 +81,12 @@ def solve(
     for index, motions, ways in zip(found.index.tolist(), found.motions, families, strict=True):
         placed = _at_best(ready, motions, goal, best, ways) if ways else motions
         same = _same(arm.turning, rows, index, placed)
-        if same is not None and ways and rows[same][2] and _parameters(ways) != _parameters(rows[same][2]):
+        if same is not None and not _covers(ways, rows[same][2]) and not _covers(rows[same][2], ways):
             placed = motions  # two families cross where both would be shown
             same = _same(arm.turning, rows, index, placed)
         if same is None:
             rows.append((index, placed, ways))
-        elif ways and not rows[same][2]:  # beside a family by rounding alone
+        elif not _covers(rows[same][2], ways):  # as one that is beside a family by rounding alone
             rows[same] = index, placed, ways
     order = sorted(range(len(rows)), key=lambda k: (rows[k][0], *np.round(rows[k][1], 7).tolist()))
     wrapped = np.array([_wrapped(rows[k][1], arm.turning) for k in order])
@@ -93,8 +99,9 @@ def _same(turning: Flags, rows: list[tuple[int, Array, tuple[Freedom, ...]]], in
     return next((k for k, (of, row, _) in enumerate(rows) if of == index and _gap(turning, motions, row) < _SAME), None)
 
 
-def _parameters(ways: tuple[Freedom, ...]) -> set[tuple[int, tuple[int, ...]]]:
-    return {(way.parameter, way.joints) for way in ways}
+def _covers(ways: tuple[Freedom, ...], others: tuple[Freedom, ...]) -> bool:
+    """Whether the same joints move in each of some ways to move as in one of these."""
+    return {way.joints for way in others} <= {way.joints for way in ways}
 
 
 def _at_best(ready: Prepared, motions: Array, goal: Array, best: Array, ways: tuple[Freedom, ...]) -> Array:
@@ -137,7 +144,7 @@ def least_singular(ready: Prepared, motions: Array) -> Array:
 
 
 def representatives(ready: Prepared, found: Found, least: Array) -> tuple[Ints, list[tuple[Freedom, ...]]]:
-    """Of the members of a family that differ in the values tried for free joints alone, the first; all else.
+    """Of the members of a family the first; all else.
 
     One choice of roots may lead into several families, which a pose at right angles has: in each some joints stand.
 
@@ -147,42 +154,17 @@ def representatives(ready: Prepared, found: Found, least: Array) -> tuple[Ints, 
     loose = np.flatnonzero(least < SINGULAR)
     if not len(loose):
         return np.arange(len(found.index)), [()] * len(found.index)
-    from dhcli.kinematics.inverse.families import freedoms, standing_still
+    from dhcli.kinematics.inverse.families import one_of_each, standing_still
 
-    arm, task, held = ready.arm, ready.task, ready.plan.held
-    rates = dict(zip(loose.tolist(), standing_still(arm, task, found.motions[loose], held), strict=True))
-    ways = {k: freedoms(arm, task, found.motions[k], held, rates[k]) for k in rates if not found.free[k]}
-    groups: dict[tuple[int, int], list[int]] = {}
-    for k in sorted(rates.keys() - ways.keys(), key=lambda k: (len(rates[k]), found.draw[k])):
-        groups.setdefault((int(found.index[k]), int(found.path[k])), []).append(k)
-    spare = set[int]()
+    rates = standing_still(ready.arm, ready.task, found.motions[loose], ready.plan.held)
+    rates_of = dict(zip(loose.tolist(), rates, strict=True))
+    groups: dict[int, list[int]] = {}
+    for k in loose[np.lexsort((found.draw[loose], found.free[loose] != 0))].tolist():
+        groups.setdefault(int(found.index[k]), []).append(k)
+    ways: dict[int, tuple[Freedom, ...]] = {}
     for group in groups.values():
-        spare |= _spare(ready, found.motions, group, rates, ways)
-    kept = [k for k in range(len(found.index)) if k not in spare]
+        motions, path = found.motions[group], found.path[group]
+        shown = one_of_each(ready.arm, ready.task, motions, path, [rates_of[k] for k in group], ready.plan.held)
+        ways |= {group[i]: way for i, way in shown.items()}
+    kept = [k for k in range(len(found.index)) if k not in rates_of or k in ways]
     return np.array(kept, dtype=int), [ways.get(k, ()) for k in kept]
-
-
-def _spare(
-    ready: Prepared, motions: Array, group: list[int], rates: dict[int, Array], ways: dict[int, tuple[Freedom, ...]]
-) -> set[int]:
-    """The members of families that others show; takes into account how the arm can move at those that are looked at.
-
-    Where families cross, the arm may begin to move in the ways of each of them, and every one is shown by another.
-    """
-    from dhcli.kinematics.inverse.families import alike, freedoms
-
-    moving = {k: {tuple(np.flatnonzero(way).tolist()) for way in rates[k]} for k in group}
-    left = {k: set(of) for k, of in moving.items()}
-    first, beside = set[int](), set[int]()
-    for k in group:
-        if not left[k]:
-            continue
-        ways[k] = freedoms(ready.arm, ready.task, motions[k], ready.plan.held, rates[k])
-        if ways[k]:
-            first.add(k)
-            near = {group[i] for i in np.flatnonzero(alike(ready.arm, motions[group], motions[k], ways[k])).tolist()}
-            beside |= near
-            for other in near:
-                left[other] -= moving[k]
-    # one that is beside a family by rounding alone cannot move at all
-    return {k for k in group if k not in first and (not left[k] or (k in beside and not ways[k]))}

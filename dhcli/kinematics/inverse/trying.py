@@ -8,18 +8,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhcli.frozen import frozen
-from dhcli.kinematics.inverse.arm import nearest_turn
+from dhcli.kinematics.inverse.found import Found, once, regular
 from dhcli.kinematics.inverse.matrices import value_of
 from dhcli.kinematics.inverse.motions import DIRECTION, POINT
 from dhcli.kinematics.inverse.polishing import (
+    POLISH,
     ROUNDING,
-    SINGULAR,
     extent,
-    jacobian,
     polished,
-    product,
-    residuals,
     spread,
 )
 from dhcli.kinematics.inverse.rows import Rows
@@ -34,56 +30,11 @@ CONFIRMED = 1e-12
 """A residual below this is a solution [reaches, and of direction cosines], or one that rounding leaves of slides that
 stand far out."""
 
-_POLISH = 2e-14
-"""Candidates above this are led nearer by Newton's steps."""
+_STARTS, _ROUNDS = 64, 6
+"""Places that Newton's steps begin at where no equations help, and how often at others while these lead to more."""
 
-_STARTS = 64
-"""Places that Newton's steps begin at where no equations help."""
-
-_CLOSE = 1e-3
-"""Solutions closer than this may be one that rounding has split [rad, reaches]."""
-
-_SAME = 1e-9
-"""Solutions closer than this are one; so are closer ones whose middle is a solution as good as they are."""
-
-
-@frozen
-class Found:
-    """Solutions of many poses, sorted by pose.
-
-    Attributes:
-        index: The pose of each solution, shape (M,).
-        motions: Motions of the joints, shape (M, n).
-        residual: How far each is from its pose.
-        path: The choices among roots that led to it.
-        free: The joints that may take any value, as bits.
-        draw: Which of the values tried for them.
-    """
-
-    index: Ints
-    motions: Array
-    residual: Array
-    path: Ints
-    free: Ints
-    draw: Ints
-
-    def take(self, at: Ints | Flags) -> Found:
-        """Some of them."""
-        path, free, draw = self.path[at], self.free[at], self.draw[at]
-        return Found(self.index[at], self.motions[at], self.residual[at], path, free, draw)
-
-    def joined(self, other: Found) -> Found:
-        """These and others, sorted by pose."""
-        index = np.concatenate([self.index, other.index])
-        both = Found(
-            index,
-            np.concatenate([self.motions, other.motions]),
-            np.concatenate([self.residual, other.residual]),
-            np.concatenate([self.path, other.path]),
-            np.concatenate([self.free, other.free]),
-            np.concatenate([self.draw, other.draw]),
-        )
-        return both.take(np.argsort(index, kind="stable"))
+_SLOWLY = 1e-2
+"""Where Newton's steps have left less than this, further ones may lead to a solution."""
 
 
 def tried(plan: Plan, task: Task, goal: Array, draws: Array, held: Mapping[int, Array], tolerance: float) -> Found:
@@ -96,32 +47,62 @@ def tried(plan: Plan, task: Task, goal: Array, draws: Array, held: Mapping[int, 
     found = confirmed(plan, task, candidates(plan, goal, draws, held, tried_at), tolerance)
     if tried_at.any():
         free = found.take(found.free != 0)
-        tried_at[free.index[~_regular(plan, task, free.motions)]] = False
+        tried_at[free.index[~regular(plan, task, free.motions)]] = False
     if (at := np.flatnonzero(tried_at)).size:
-        more = led(plan, task, goal[at], {j: value[at] for j, value in held.items()}, tolerance)
-        found = found.joined(replace(more, index=at[more.index]))
+        found = led(plan, task, goal, at, held, tolerance, found)
     return once(plan, task, goal, found)
 
 
-def led(plan: Plan, task: Task, goal: Array, held: Mapping[int, Array], tolerance: float) -> Found:
-    """What Newton's steps from many places lead to, where no equations help.
+def led(  # noqa: PLR0913, PLR0917  what a plan is tried with
+    plan: Plan, task: Task, goal: Array, at: Ints, held: Mapping[int, Array], tolerance: float, found: Found
+) -> Found:
+    """What was found, and at some poses what Newton's steps from many places lead to; of each family one."""
+    for begun in range(_ROUNDS):
+        count = np.bincount(found.index, minlength=len(goal))
+        more = _arrived(plan, task, goal, at, held, tolerance, begun * _STARTS)
+        found = once(plan, task, goal, found.joined(_further(plan, task, found, more)))
+        at = at[np.bincount(found.index, minlength=len(goal))[at] > count[at]]
+        if not len(at):
+            break
+    return found
 
-    Those that can move without moving the end are left out: they would be many of one family.
-    """
-    index = np.repeat(np.arange(len(goal)), _STARTS)
-    begun = np.tile(np.pi * (2 * spread(_STARTS, plan.actions.arm.joints, 3) - 1), (len(goal), 1))
+
+def _arrived(  # noqa: PLR0913, PLR0917  what a plan is tried with, and where steps begin
+    plan: Plan, task: Task, goal: Array, at: Ints, held: Mapping[int, Array], tolerance: float, begun: int
+) -> Found:
+    """What Newton's steps lead to at some poses from places by their number, also many members of a family."""
+    arm = plan.actions.arm
+    index = np.repeat(at, _STARTS)
+    motions = np.tile(np.pi * (2 * spread(_STARTS, arm.joints, 3 + begun) - 1), (len(at), 1))
     for j, value in held.items():
-        begun[:, j] = value[index]
-    found = confirmed(plan, task, Rows.start(plan.actions, goal[index], {}), tolerance, begun)
-    return replace(found, index=index[found.index]).take(_regular(plan, task, found.motions))
+        motions[:, j] = value[index]
+    motions, left = polished(arm, task, motions, goal[index], plan.held)
+    slow = np.flatnonzero((left > tolerance) & (left < _SLOWLY))  # as beside roots that meet
+    motions[slow], _ = polished(arm, task, motions[slow], goal[index[slow]], plan.held)
+    found = confirmed(plan, task, Rows.start(plan.actions, goal[index], {}), tolerance, motions)
+    return once(plan, task, goal, replace(found, index=index[found.index]))
 
 
-def _regular(plan: Plan, task: Task, motions: Array) -> Flags:
-    """Where an arm, motions (M, n), cannot move without moving its end, shape (M,)."""
-    slope = np.delete(jacobian(plan.actions.arm, task, motions)[1], list(plan.held), axis=2)
-    if slope.shape[1] < slope.shape[2] or not slope.shape[2]:
-        return np.zeros(len(motions), dtype=bool)
-    return np.asarray(np.linalg.svd(slope, compute_uv=False)[:, -1] > SINGULAR)
+def _further(plan: Plan, task: Task, found: Found, more: Found) -> Found:
+    """Of solutions those at which the arm cannot move, and one of each family that no other solution is in."""
+    from dhcli.kinematics.inverse.families import one_of_each, standing_still  # few poses need it
+
+    arm, others = plan.actions.arm, found.take(np.isin(found.index, more.index))
+    both = others.joined(more)
+    order = np.argsort(np.concatenate([others.index, more.index]), kind="stable")
+    is_new, kept, free = order >= len(others.index), regular(plan, task, both.motions), both.free.copy()
+    loose = np.flatnonzero(~kept)
+    if arm.joints - len(plan.held) > task.conditions:
+        loose = loose[:0]
+    rates = dict(zip(loose.tolist(), standing_still(arm, task, both.motions[loose], plan.held), strict=True))
+    for pose in np.unique(both.index[loose]):
+        own = loose[both.index[loose] == pose].tolist()
+        shown = one_of_each(
+            arm, task, both.motions[own], np.zeros(len(own), dtype=int), [rates[k] for k in own], plan.held
+        )
+        for k, ways in shown.items():
+            kept[own[k]], free[own[k]] = True, sum(1 << way.parameter for way in ways)
+    return replace(both, free=free).take(kept & is_new)
 
 
 def candidates(plan: Plan, goal: Array, draws: Array, held: Mapping[int, Array], tried_at: Flags | None = None) -> Rows:
@@ -168,7 +149,7 @@ def confirmed(plan: Plan, task: Task, rows: Rows, tolerance: float, begun: Array
         motions, residual = rows.motions(arm.joints), missed(rows, task)
     else:
         motions, residual = begun.copy(), np.full(len(begun), np.inf)
-    rough = np.flatnonzero(~(residual <= _POLISH))
+    rough = np.flatnonzero(~(residual <= POLISH))
     if len(rough):
         goal = rows.take(rough).poses()
         led, left = polished(arm, task, motions[rough], goal, plan.held)
@@ -204,30 +185,3 @@ def missed(rows: Rows, task: Task) -> Array:
             wanted = goal[3 * i] * e[0] + goal[3 * i + 1] * e[1] + goal[3 * i + 2] * e[2]
             worst = np.maximum(worst, np.abs(there[i] - wanted))
     return worst
-
-
-def once(plan: Plan, task: Task, goal: Array, found: Found) -> Found:
-    """Each solution once: those that rounding has split are put together."""
-    if len(found.index) < 2:  # noqa: PLR2004
-        return found
-    dropped = np.zeros(len(found.index), dtype=bool)
-    arm = plan.actions.arm
-    turning, out = arm.turning, extent(arm, found.motions)
-    for apart in range(1, int(np.bincount(found.index).max(initial=1))):
-        first, second = np.arange(len(dropped) - apart), np.arange(apart, len(dropped))
-        together = (found.index[first] == found.index[second]) & ~dropped[first] & ~dropped[second]
-        gap = found.motions[second] - found.motions[first]
-        gap = nearest_turn(turning, gap)
-        distance = np.abs(np.where(turning, gap, gap / out[first, None])).max(axis=1, initial=0.0)
-        close = np.flatnonzero(together & (distance < _CLOSE))
-        if not len(close):
-            continue
-        middle = found.motions[close] + gap[close] / 2
-        between = residuals(task, arm.home, product(arm, middle), goal[found.index[close]])
-        best = np.maximum(found.residual[close], found.residual[close + apart])
-        rounded = np.maximum(_POLISH, ROUNDING * out[close])
-        same = (distance[close] < _SAME) | (between <= np.maximum(best, rounded))
-        worse = found.residual[close] > found.residual[close + apart]
-        dropped[close[same & worse]] = True
-        dropped[close[same & ~worse] + apart] = True
-    return found.take(~dropped)

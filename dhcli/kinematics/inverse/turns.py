@@ -141,3 +141,25 @@ def _all_outside(robot: Robot, beyond: list[tuple[Beyond, ...]]) -> str:
     words = ", ".join(shown_beyond(robot, outside) for outside in least)
     count = f"{plural(len(beyond), 'solution')} {'is' if len(beyond) == 1 else 'are all'}"
     return f"{count} outside the limits, the nearest to them with {words}"
+
+
+def in_turn(robot: Robot, q: Array, near: Array | None) -> Array:
+    """Joint values (M, n) with angles in the turn that the limits allow, or the nearest one to what is wanted."""
+    turning = turning_joints(robot)
+    if near is not None:
+        q = np.where(turning, q - 2 * np.pi * np.round((q - near) / (2 * np.pi)), q)
+    if not robot.limits:
+        return q
+    low, high = limits_of(robot).T
+    with np.errstate(invalid="ignore"):
+        up = np.where(q < low - SLACK, np.ceil((low - SLACK - q) / (2 * np.pi)), 0.0)
+        down = np.where(q > high + SLACK, np.floor((high + SLACK - q) / (2 * np.pi)), 0.0)
+    moved = np.where(turning, q + 2 * np.pi * (up + down), q)
+    inside = (moved >= low - SLACK) & (moved <= high + SLACK)
+    return np.where(inside, moved, q)
+
+
+def are_inside(robot: Robot, q: Array) -> NDArray[np.bool_]:
+    """Which joint values (M, n) are inside all limits, shape (M,)."""
+    low, high = limits_of(robot).T
+    return np.asarray(((q >= low - SLACK) & (q <= high + SLACK)).all(axis=1))

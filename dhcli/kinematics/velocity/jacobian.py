@@ -6,16 +6,17 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import field
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
+from typing import TypeVar
 
 from dhcli.algebra.arithmetic import Arithmetic, Evaluator, plus, settled, times
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
-from dhcli.kinematics.entries import DIGITS, cells_of, in_columns, latex_of
+from dhcli.kinematics.entries import DIGITS
 from dhcli.kinematics.fold import fold_rows
 from dhcli.kinematics.frames import ORIGIN, between
+from dhcli.kinematics.matrix import Matrix, Rows
 from dhcli.kinematics.moves import Rot, Trans
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers, require
@@ -29,17 +30,11 @@ from dhcli.notation.tree import Expr, power
 from dhcli.notation.trig import cosine, sine
 from dhcli.notation.walk import symbols_in
 
-if TYPE_CHECKING:
-    import numpy as np
-    import sympy
-    from numpy.typing import DTypeLike, NDArray
-
 N = TypeVar("N")
-Rows: TypeAlias = tuple[tuple[N, ...], ...]
 
 
 @frozen
-class Jacobian(Generic[N]):
+class Jacobian(Matrix[N]):
     """A Jacobian with the names of its rows and columns.
 
     Attributes:
@@ -58,66 +53,24 @@ class Jacobian(Generic[N]):
     form: Form = GEOMETRIC
     writing: Joints = field(default=THETAS, compare=False, repr=False)
 
-    @property
-    def is_symbolic(self) -> bool:
-        """Whether the entries are expressions."""
-        return any(isinstance(entry, Expr) for row in self.rows for entry in row)
-
-    @property
-    def matrix(self) -> NDArray[np.float64]:
-        """The entries as a numpy array, shape (rows, joints).
-
-        Raises:
-            RobotError: An entry holds a symbol.
-        """
-        import numpy as np
-
-        return np.array(self.in_numbers(), dtype=np.float64).reshape(len(self.labels), len(self.joints))
-
     def in_numbers(self) -> Rows[float]:
         """The entries in floats.
 
         Raises:
             RobotError: An entry holds a symbol.
         """
-        held = [entry for row in self.rows for entry in row if isinstance(entry, Expr)]
-        if free := sorted(symbols_in(held)):
-            raise RobotError(f"the Jacobian is in symbols: {', '.join(free)}", "jacobian(robot, q) gives numbers")
-        floats = Floats()
-        return tuple(tuple(floats.value(e) if isinstance(e, Expr) else float(e) for e in row) for row in self.rows)  # type: ignore[arg-type]
+        return self._floats("the Jacobian", "jacobian(robot, q) gives numbers")
 
-    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:  # noqa: FBT001
-        """Let numpy read a Jacobian as it reads nested lists."""
-        import numpy as np
-
-        if self.is_symbolic and (dtype is None or np.dtype(dtype) == np.dtype(object)):
-            return np.array(self.rows, dtype=object)
-        return np.array(self.in_numbers(), dtype=dtype)
-
-    def to_sympy(self) -> sympy.Matrix:
-        """The entries as a sympy matrix; see `Pose.to_sympy`."""
-        from dhcli.algebra.symbolic import to_sympy_matrix
-
-        return to_sympy_matrix(self.rows)
+    def _numbers(self) -> Rows[float]:
+        return self.in_numbers()
 
     def cells(self, style: str = "short", digits: int = DIGITS) -> tuple[tuple[str, ...], ...]:
         """The entries as text: expressions in a notation, numbers rounded for people."""
-        return cells_of(self.rows, self.writing, style, digits)
-
-    def latex(self, digits: int = DIGITS) -> str:
-        """The matrix for a paper, without dollar signs."""
-        return latex_of(self.cells("latex", digits))
-
-    def __str__(self) -> str:
-        """The matrix in columns, without a heading."""
-        return in_columns(self.cells())
+        return self._written(self.writing, style, digits)
 
     def __repr__(self) -> str:
         """A heading and the matrix, as a notebook or the prompt shows it."""
         return f"Jacobian, rows {', '.join(self.labels)}, columns {', '.join(self.joints)}:\n{self}"
-
-    def _repr_latex_(self) -> str:
-        return f"$\\displaystyle {self.latex()}$"
 
 
 def columns_over(made: Sequence[Part], count: int, over: Arithmetic[N]) -> tuple[list[Vector[N]], list[Vector[N]]]:

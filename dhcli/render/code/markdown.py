@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from dhcli.checking.earning import worth
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.files.yaml.robot_line import robot_line
+from dhcli.files.yaml.beside import given_lines, how_written
 from dhcli.kinematics.conventions import ORDER, Convention
 from dhcli.kinematics.robot import Robot
 from dhcli.render.look import Look
@@ -36,10 +36,8 @@ def robot_markdown(robot: Robot, look: Look) -> str:
 def exercise_markdown(exercise: Exercise, _look: Look) -> str:
     """The task, what is given, and the parts, without answers and hints."""
     lines = [markdown_heading(2, exercise.title), "", *_task(exercise.task), ""]
-    given = [f"given: {exercise.given_text}"] if exercise.given else []
-    for text in (*given, robot_line(exercise)):
-        if text:
-            lines += [markdown(text[0].upper() + text[1:]), ""]
+    for text in (*given_lines(exercise), *(how_written(exercise) if exercise.numeric else ())):
+        lines += [markdown(text[0].upper() + text[1:]), ""]
     for number, part in enumerate(exercise.asked, 1):
         lines += [*_part(exercise, part, number), ""]
     return "\n".join(lines).rstrip("\n") + "\n"

@@ -8,7 +8,7 @@ from typing import Any
 from dhcli.checking.earning import worth_of
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.figures import subject
-from dhcli.files.yaml.robot_line import robot_line
+from dhcli.files.yaml.beside import given_lines, how_written
 from dhcli.render.look import Look
 from dhcli.render.text.marks import question_text
 from dhcli.render.text.prose import prose_lines
@@ -27,9 +27,10 @@ def exercise_table(exercise: Exercise, look: Look) -> str:
         "",
         *prose_lines(exercise.task.strip(), paper),
     ]
-    given = [f"given: {exercise.given_text}"] if exercise.given else []
-    if robot := robot_line(exercise):
-        given.append(robot.replace("Robot", "robot", 1))
+    given = [
+        *given_lines(exercise),
+        *(text[0].lower() + text[1:] for text in how_written(exercise) if exercise.numeric),
+    ]
     if given:
         lines += ["", *(line for text in given for line in prose_lines(text, paper))]
     for part in exercise.asked:

@@ -141,6 +141,14 @@ def judge_in_letters(robot: str, ask: str) -> Judge:
         ("scara-yim", "singular when angular of 0..4", "never"),
         ("ur5e", "singular when angular of 0..6", "s5 = 0 and s234 = 0"),
         ("ur5e", "singular when angular of 0..6", "s5 = s234 = 0"),
+        ("ur5e", "singular when angular of 0..6", "s5 = 0\nand\ns234 = 0"),
+        ("ur5e", "singular when angular of 0..6", "s5 = 0\n& s234 = 0"),
+        ("ur5e", "singular when angular of 0..6", "(s5 = 0 and s234 = 0)"),
+        (
+            "scara-yim",
+            "singular when linear of 0..4",
+            "(theta2 = 0) or (theta2 = 180°)",
+        ),
         ("ur5e", "singular when angular of 0..6", "theta5 = 0 or 180° and theta2+theta3+theta4 = 0 or 180°"),
         (
             "cylindrical-wrist",

@@ -161,7 +161,10 @@ def test_a_single_row_of_letters_is_a_row_and_not_its_heads() -> None:
         (changed(PUMA, "a3  d4", "a3  theta4"), "row 4, d: theta4 is an angle, and this column holds lengths"),
         (changed(PUMA, "d4  θ4", "d4  a2"), "this column holds angles; the columns are alpha, a, d, theta"),
         (changed(PUMA, "d4  θ4", "d4  30mm"), "row 4, theta: 30mm: mm is a unit of length"),
-        (changed(PUMA, "d4  θ4", "d4  0"), "theta4: in no row; the theta cell of a joint holds its variable"),
+        (
+            changed(PUMA, "d4  θ4", "d4  0"),
+            "no row has theta4: a table holds the variables of its joints and not their values; write theta4 in",
+        ),
         (changed(PUMA, "d4  θ4", "d4  θ3"), "row 4, theta: theta3 stands in row 3, theta too"),
         (changed(PUMA, "d4  θ4", "d4  θ4+θ5"), "row 4 moves with theta4 and theta5"),
         (changed(PUMA, "a3  d4", "a3*cos(theta4)  d4"), "row 4, a: a3*cos(theta4) moves with a joint"),

@@ -32,6 +32,8 @@ DATA = Path(__file__).parents[2] / "data"
 ROBOTS = sorted({path.stem for path in (Path(__file__).parents[3] / "robots").glob("*.yaml")} - {*COUPLED})
 TABLES = [name for name in ROBOTS if load_robot(name).convention is not Convention.PRODUCT]
 
+ARM_URDF = "<robot name='r'><link name='a'/></robot>"
+
 
 def imported(text: str, **wish: str) -> Robot:
     """A robot of a text, by way of the file that `dhcli new robot` writes."""
@@ -355,6 +357,16 @@ def test_limits_and_what_says_nothing_of_links_stand_in_tables_of_makers() -> No
     assert gap(robot, [0.3, 0.5, 0.05], expected) < 1e-15
 
 
+@pytest.mark.parametrize(
+    "text", ["a,alpha,d,theta\n0.4,1.5708 rad,0,q1\n", "L(1) = Link([0 0 0.4 1.5708]);\nr = SerialLink(L);\n"]
+)
+def test_right_angles_may_stay_as_they_were_typed(text: str) -> None:
+    """In tables and listings as in a URDF; the file that is written says so."""
+    for typed, alpha in ((True, 1.5708), (False, math.pi / 2)):
+        robot = import_robot(text, "x", Wish("arm", "standard", as_typed=typed))
+        assert gap(read_robot(robot_text(robot), "x", "arm"), [0.3], standard(0.3, 0, 0.4, alpha)) < 1e-15
+
+
 def test_ranges_of_makers_are_limits() -> None:
     """One number for both, two in any order of signs, from one to the other; a unit in the head."""
     robot = imported(
@@ -441,6 +453,14 @@ def test_rows_of_numbers_get_the_joints_that_are_said() -> None:
         ("a,alpha,d,theta\n1,0,0,q1\n", {"convention": "standrad"}, "did you mean standard"),
         ("a,alpha,d,theta\n1,0,0,q1\n", {"convention": "standard", "units": "mn"}, "mn is no unit of length"),
         ("a,alpha,d,theta\n1,0,0,q1\n", {"convention": "standard", "tip": "t"}, "only a URDF has links"),
+        (ARM_URDF, {"units": "mm"}, "lengths of a URDF are in metres, not in mm (divide them in the file"),
+        (
+            "x: {x: 1, y: 0, z: 0, roll: 0, pitch: 0, yaw: 0}",
+            {"units": "cm"},
+            "lengths of a kinematics file of ROS are",
+        ),
+        (ARM_URDF, {"joints": "RR"}, "a URDF says itself what its joints do (leave --joints out)"),
+        ("SerialLink([Link([0 0 1 0])])", {"joints": "R"}, "a listing of a robotics toolbox says itself what its"),
         ("hello", {}, "none of the forms"),
         ("<sdf/>", {}, "this is an SDF"),
     ],

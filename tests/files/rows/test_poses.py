@@ -180,7 +180,7 @@ def test_a_comma_beside_a_point_is_not_taken_for_a_decimal_one() -> None:
         ("p_x\tp_y\tp_z\n1\t2\t3\n".encode("utf-16"), "p.csv", "p.csv: is written in UTF-16"),
         (gzip.compress(b"p_x,p_y,p_z\n1,2,3\n", mtime=0), "p.csv", "p.csv: is compressed by gzip"),
         (b"p_x,p_y,p_z\n1,2,\xb03\n", "p.csv", "p.csv:2:5: is not UTF-8"),
-        (b"1,2,3\n", "p.csv", "p.csv:1: no column is called p_x, p_y, p_z"),
+        (b"1,2,3\n", "p.csv", "p.csv:1: poses have a header, and this line has numbers"),
         (b"p_x,p_y,P_X[mm],p_z\n1,2,3,4\n", "p.csv", "p.csv:1:9: p_x has two columns (keep one of them)"),
         (b"p_x,p_y,p_z\n1,2,3\n", "p.npy", "p.npy: is no .npy file"),
         (saved(np.zeros((2, 3, 3))), "p.npy", "p.npy: has the shape (2, 3, 3), and (N, 4, 4) or (N, 3) is wanted"),
@@ -229,3 +229,44 @@ def test_columns_of_orientations_are_the_rotations_that_fk_says(form: str) -> No
     text = ",".join(["p_x", "p_y", "p_z", *TURNS[form]]) + "\n" + ",".join(map(repr, [0.0, 0.25, 0.5, *numbers]))
     [(_, found)], _ = read(text)
     assert np.allclose(found, pose.rows)
+
+
+@pytest.mark.parametrize("way", ["at once", "row by row"])
+def test_angles_in_degrees_without_their_unit_are_bad_rows(way: str) -> None:
+    """Whichever of them tells; what is within a turn is read, and so is what says its unit."""
+    text = "x,y,z,roll,pitch,yaw\n1,2,3,180,0,0\n1,2,3,0.5,0,0\n1,2,3,0,-90,1\n"
+    found, bad = (read if way == "at once" else carefully)(text)
+    assert [line for line, _ in found] == [3]
+    said = "roll, pitch: more than a turn in radians; in degrees the header says so, roll[deg]"
+    assert bad == [f"standard input:{line}: {said}" for line in (2, 4)]
+    degrees, none = read(text.replace("roll", "roll[deg]").replace("pitch", "pitch[deg]"))
+    assert ([line for line, _ in degrees], none) == ([2, 3, 4], [])
+
+
+@row_by_row(
+    ("heads", "hint"),
+    [
+        ("X,Y,Z,A,B,C", "A, B, C of KUKA are yaw[deg],pitch[deg],roll[deg]"),
+        ("X,Y,Z,W,P,R", "W, P, R of FANUC are roll[deg],pitch[deg],yaw[deg]"),
+        ("X,Y,Z,O,A,T", "O, A, T of Kawasaki are zyz_1[deg],zyz_2[deg],zyz_3[deg]"),
+        ("x,y,z,rx,ry,rz", "rx, ry, rz of Universal Robots are r_x,r_y,r_z, a rotation vector in radians"),
+        ("x,y,z,q1,q2,q3,q4", "q1 to q4 of ABB are q_w,q_x,q_y,q_z"),
+    ],
+)
+def test_what_makers_call_an_orientation_is_told_with_our_columns(heads: str, hint: str) -> None:
+    """Whose columns they are nobody knows, so they are refused; those of the hint are read."""
+    cells = ["1", "2", "3", "0.1", "0.2", "0.3", "0.4"][: heads.count(",") + 1]
+    with pytest.raises(FileError, match="says no orientation that is known") as caught:
+        blocks(f"{heads}\n{','.join(cells)}\n", "p.csv")
+    assert caught.value.problems[0].hint.startswith(hint)
+    ours = hint.partition(" are ")[2].split(", ")[0]
+    assert len(blocks(f"x,y,z,{ours}\n{','.join(cells)}\n", "p.csv")[0].values) == 1
+
+
+def test_poses_of_messages_of_ros_are_read() -> None:
+    """By what their columns are called in tables of them; a half turn about y."""
+    heads = ",".join(f"/pose.{part}" for part in ("position.x", "position.y", "position.z"))
+    turned = ",".join(f"/pose/orientation/{part}" for part in "xyzw")
+    (block,) = blocks(f"time,{heads},{turned}\n5,1,2,3,0,1,0,0\n", "p.csv")
+    expected = [[-1, 0, 0, 1], [0, 1, 0, 2], [0, 0, -1, 3], [0, 0, 0, 1]]
+    assert np.allclose(block.values[0], expected)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from textwrap import indent
 
 import pytest
 
@@ -13,8 +14,8 @@ from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import FileError
 from dhcli.files.library.entries import Kind, entries
+from dhcli.files.yaml.beside import values_text
 from dhcli.files.yaml.exercises import load_exercise
-from dhcli.files.yaml.robot_line import values_text
 from dhcli.files.yaml.robots import load_robot
 from dhcli.files.yaml.sheets import WIDEST, Sheet, check_numbers, judged_sheet, read_sheet, write_sheet
 from dhcli.files.yaml.tables import read_table
@@ -252,6 +253,20 @@ def test_an_answer_that_is_no_yaml_leaves_the_others_what_they_are(sheet: Path, 
     assert all(mark_of[name].verdict is Verdict.RIGHT for name in ANSWERS if name != broken)
     line = 4 + list(ANSWERS).index(broken)
     assert re.match(rf"{re.escape(str(sheet))}:({line}|{line + 1}):", mark_of[broken].remarks[0])
+
+
+@pytest.mark.parametrize("part", ["  ", "\t", " \t"])
+@pytest.mark.parametrize("row", ["    ", "\t\t", "\t", "  \t"])
+def test_tabs_that_indent_answers_are_read_as_blanks(sheet: Path, part: str, row: str) -> None:
+    """An editor writes them; each answer stays its own, whatever looks like a key within it."""
+    written = {"a1": "c1 -s1\n", "d02": "x: 1, y: 2\n", "x2": "x: 1\ny: 2\n"}
+    lines = ["  a2: |\n    1 2\n"]
+    lines += [f"{part}{name}: |\n{indent(text, row)}\n" for name, text in written.items()]
+    found = read(sheet, "".join(lines)).answers
+    assert {name: answer.text.split() for name, answer in found.items()} == {
+        name: text.split() for name, text in {"a2": "1 2", **written}.items()
+    }
+    assert not any(answer.problem for answer in found.values())
 
 
 def test_a_sheet_whose_fault_is_in_no_answer_is_refused_as_before(sheet: Path) -> None:

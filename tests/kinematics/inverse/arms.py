@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dhcli.kinematics.inverse.arm import Arm, Axis
+from dhcli.kinematics.inverse.found import Found
 from dhcli.kinematics.inverse.polishing import SINGULAR, extent, jacobian, product
 from dhcli.kinematics.inverse.running import FULL
 from dhcli.kinematics.inverse.tasks import TASKS, TaskName, for_task
-from dhcli.kinematics.inverse.trying import Found
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ from dhcli.errors import RobotError, UnknownNameError
 from dhcli.kinematics.inverse import batch
 from dhcli.kinematics.inverse.branches import Told, with_values
 from dhcli.kinematics.inverse.tasks import TaskName
+from dhcli.kinematics.inverse.turns import limits_of
 from tests.kinematics.arms import numbered_hinges
 from tests.nightly import NIGHT
 from tests.row_by_row import row_by_row
@@ -165,6 +166,21 @@ def test_a_family_of_a_spare_joint_is_sampled() -> None:
     assert len({round(q[6], 6) for q in found}) > 3
     for q in found:
         assert np.abs(forward(robot, list(q)).matrix - pose.matrix).max() < 1e-11
+
+
+def test_a_pose_inside_the_limits_is_reached_inside_them_with_a_joint_to_spare_held_elsewhere() -> None:
+    """One by one and many at once: each pose of a Panda's that joint values inside its limits made."""
+    robot = load_robot("panda")
+    low, high = limits_of(robot).T
+    poses = forward_batch(robot, low + (high - low) * np.random.default_rng(3).random((40 if NIGHT else 8, 7)))
+    many, index = inverse_batch(robot, poses, within_limits=True)
+    assert set(index.tolist()) == set(range(len(poses)))
+    assert ((many >= low - 1e-9) & (many <= high + 1e-9)).all()
+    assert np.abs(forward_batch(robot, many) - poses[index]).max() < 1e-10
+    for k, pose in enumerate(poses[:3]):
+        found = inverse(robot, pose, within_limits=True)
+        assert found.within_limits.all()
+        assert len(found) == (index == k).sum()
 
 
 def test_solutions_outside_limits_are_marked_or_left_out() -> None:

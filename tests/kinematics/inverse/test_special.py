@@ -75,6 +75,40 @@ LOST = {
         "-90 .1 .1 theta+180°, -90 0 0 theta, 90 0 0 theta, 90 .4 d 0, -90 0 0 theta+90°, -90 .4 .1 theta+90°",
         (-HALF, WHOLE, HALF, 0.1, HALF, -HALF),
     ),
+    # a resultant that vanishes for the joints of the plan, and not for others
+    "silent, and a double root": (
+        "standard",
+        "90 .1 0 theta+180°, 90 .2 .2 theta+180°, 0 .4 0 theta, 0 0 .3 theta+180°, 90 .2 0 theta+180°, 90 .1 0 theta",
+        (-HALF, WHOLE, WHOLE, HALF, HALF, -HALF),
+    ),
+    # three joints at once, of which equations vanish for these, any others, and where more than six are left
+    "double, other three joints": (
+        "modified",
+        "90 0 0 theta-90°, -90 0 .2 theta-90°, 0 .4 0 theta, -90 .1 0 theta+90°, 90 0 0 theta-90°, 0 .2 d 90°",
+        (0, WHOLE, HALF, -HALF, 0, 0.1),
+    ),
+    "double, no three joints": (
+        "modified",
+        "90 .1 0 theta+90°, 90 0 .3 theta, 0 .4 d 0, 90 0 .1 theta, 90 .2 0 theta+90°, -90 .1 .1 theta",
+        (HALF, WHOLE, 0, HALF, -HALF, HALF),
+    ),
+    "more equations left": (
+        "standard",
+        "0 .1 .3 theta, -90 .2 .3 theta, -90 .2 .2 theta, -90 0 .3 theta, 90 .1 0 theta, 90 .2 .3 theta",
+        (WHOLE, HALF, 0, WHOLE, 0, -HALF),
+    ),
+    # a resultant with a root that comes six times
+    "sixfold": (
+        "modified",
+        "0 .2 .3 theta, 90 .4 0 theta, 0 0 0 theta-90°, 90 0 0 theta+180°, -90 .2 0 theta, -90 .2 .1 theta-90°",
+        (0, HALF, 0, HALF, WHOLE, WHOLE),
+    ),
+    # roots that meet, of which one way to take joints loses what another one finds
+    "half seen": (
+        "modified",
+        "90 0 0 theta, 90 .2 0 theta-90°, -90 .4 .3 theta+180°, 0 .4 d 90°, -90 0 0 theta-90°, 90 0 .3 theta",
+        (HALF, WHOLE, 0, 0.3, HALF, -HALF),
+    ),
 }
 
 
@@ -111,6 +145,31 @@ def is_covered(robot: Robot, pose: np.ndarray, q: np.ndarray, found: Solutions, 
             if is_covered(robot, pose, q, there, more):
                 return True
     return False
+
+
+MEETING = {
+    "three times": ("-90 .2 .2 theta, 90 .4 0 theta, 90 .4 .3 theta, 90 .3 0 theta, 90 .1 .3 theta", (0, 0, 2, 0, 2)),
+    "four times": (
+        "90 .3 .2 theta, 90 .3 .2 theta, 0 .4 .1 theta, 90 .4 .2 theta, 0 .4 .2 theta, 90 .2 .3 theta",
+        (-1, 0, 0, 0, -1, 2),
+    ),
+    "more often": (
+        "-90 .3 0 theta, 0 .2 0 theta, -90 .2 0 theta, 0 .4 .2 theta, 90 .3 .1 theta, -90 .4 .3 theta",
+        (0, -1, 1, 2, -1, 1),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", MEETING)
+def test_where_many_roots_meet_there_is_one_solution(name: str) -> None:
+    """As exact as others, though each root by itself is exact to a third of the digits, or fewer."""
+    rows, quarters = MEETING[name]
+    robot, q = drawn("standard", rows), HALF * np.array(quarters)
+    found = inverse(robot, forward(robot, q.tolist()))
+    assert found.distances(q.tolist()).min() < 1e-6
+    for k, row in enumerate(found.q):
+        others = np.abs(np.angle(np.exp(1j * (np.delete(found.q, k, axis=0) - row)))).max(axis=1)
+        assert others.min(initial=9) > 1e-3
 
 
 def test_no_arm_at_right_angles_loses_its_own_joint_values() -> None:
