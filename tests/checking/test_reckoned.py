@@ -40,6 +40,10 @@ def test_a_reckoning_is_what_it_comes_to_or_is_refused(a: int, b: int, sign: str
         ("sqrt(0.61) = 0.78", "sqrt(0.61)"),
         ("2/3 = 0.67", "2/3"),
         ("90° = pi/2", "90°"),
+        ("pi/2 = 90°", "90°"),
+        ("0.4 = 400 mm", "400 mm"),
+        ("-2/3 = -0.67", "-2/3"),
+        ("0.2804 m = 280.4 mm", "0.2804 m"),
         ("1 + 1 = 2 = 4/2", "1 + 1"),
         ("z = 280", "z = 280"),
         ("a1 + 0 = a1", "a1 + 0 = a1"),
@@ -51,6 +55,13 @@ def test_a_reckoning_is_what_it_comes_to_or_is_refused(a: int, b: int, sign: str
 def test_the_first_side_has_all_digits_and_the_last_the_unit(text: str, meant: str) -> None:
     """Labels, names and matrices are none of its business."""
     assert reckoned(text) == meant
+
+
+@row_by_row("text", ["0.2 m = 280.4 mm", "0.0 = 0.1", "1.29 = 1.4", "pi/3 = 90°", "0.3 = 400 mm"])
+def test_a_result_shows_a_number_to_its_own_digits_in_its_own_unit(text: str) -> None:
+    """A tenth of a millimetre is no tenth of a metre, and the last digit is rounded or cut off."""
+    with pytest.raises(ReckonedError, match="write the answer alone"):
+        reckoned(text)
 
 
 @row_by_row(
