@@ -125,7 +125,10 @@ def placed(wishes: list[Wish], ink: Ink, room: Rect, lettering: Lettering = PRIN
                 rect = Rect(x - box[0] / 2, y - box[1] / 2, x + box[0] / 2, y + box[1] / 2)
                 if _is_taken(rect, taken):
                     continue
-                full = cost + _under(rect, point, ink, taken, leaders)
+                crossed = cost + _crossed(rect, point, taken, leaders)
+                if best and crossed >= best[0]:
+                    continue  # what stands below makes no place better, and takes longest to add up
+                full = crossed + _below(rect, ink)
                 if best is None or full < best[0] - 1e-9:
                     best = full, rect, point
             if best:
@@ -169,15 +172,16 @@ def _is_taken(rect: Rect, taken: list[Rect]) -> bool:
     return False
 
 
-def _under(rect: Rect, point: Flat, ink: Ink, taken: list[Rect], leaders: list[tuple[Flat, Flat]]) -> float:
-    """Cost of what a label stands on, and of lines that cross."""
-    inner = rect.left + 2, rect.top + 4, rect.right - 2, rect.bottom - 4
+def _below(rect: Rect, ink: Ink) -> float:
+    """Cost of what a label stands on."""
     area = max((rect.right - rect.left) * (rect.bottom - rect.top) / 16, 1.0)
-    cost = INK * ink.amount(*inner) / 6 / math.sqrt(area) / 3
+    return INK * ink.amount(rect.left + 2, rect.top + 4, rect.right - 2, rect.bottom - 4) / 6 / math.sqrt(area) / 3
+
+
+def _crossed(rect: Rect, point: Flat, taken: list[Rect], leaders: list[tuple[Flat, Flat]]) -> float:
+    """Cost of lines that cross."""
     edge = min(max(point[0], rect.left), rect.right), min(max(point[1], rect.top), rect.bottom)
-    cost += CROSSED * sum(rect.cuts(*leader) for leader in leaders)
-    cost += CROSSED * sum(other.cuts(point, edge) for other in taken)
-    return cost
+    return CROSSED * (sum(rect.cuts(*leader) for leader in leaders) + sum(other.cuts(point, edge) for other in taken))
 
 
 def _crowd(wish: Wish, wishes: list[Wish], ink: Ink) -> float:

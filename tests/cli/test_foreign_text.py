@@ -149,6 +149,7 @@ def command_lines() -> Iterator[tuple[str, ...]]:
     }.items():
         yield from ((*words, "--format", name) for name in kinds.formats(kind) if name != "gradescope")
     yield from (("show", products, "--format", name) for name in kinds.formats("robot"))
+    yield "describe", robot, "--format", "urdf"  # a URDF has no steps
     yield "grade", "class/one", "--format", "gradescope"
     for words in (("fk", robot), ("jacobian", robot)):
         yield from ((*words, "--code", name) for name in kinds.formats("function") if name != "json")

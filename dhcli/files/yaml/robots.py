@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from pathlib import Path
 
 from dhcli.errors import FileError, Place, Problem
@@ -18,6 +19,8 @@ from dhcli.regex import regex
 XML = (".urdf", ".xml", ".xacro")
 XML_LIMIT = 20_000_000
 """What the name of a URDF ends in, and the most bytes of one; meshes stand in files of their own."""
+MOST_KEPT = 64
+"""Robots of files that are kept: more than one class or one course has."""
 DRAWN = regex(r"^convention:\s*['\"]?(axes|screws)['\"]?\s*(?:#.*)?$", re.MULTILINE)
 """How a file says that it gives axes or screws in the place of links."""
 
@@ -37,10 +40,16 @@ def load_robot(name: str | Path, *, base: str | None = None, tip: str | None = N
     """
     check_typed(Kind.ROBOTS, name)
     path = name if isinstance(name, Path) else find(Kind.ROBOTS, name)
-    called = "stdin" if str(path) == "-" else path.stem
     text = read_text("-" if str(path) == "-" else path, limit=XML_LIMIT if path.suffix.lower() in XML else LIMIT)
-    found = robot_of(text, source_of(path), called, base=base, tip=tip, as_typed=as_typed)
-    return found if called == "stdin" else read_from(found, path)
+    if str(path) == "-":
+        return robot_of(text, source_of(path), "stdin", base=base, tip=tip, as_typed=as_typed)
+    return _of_file(text, source_of(path), path, base, tip, as_typed)
+
+
+@lru_cache(MOST_KEPT)
+def _of_file(text: str, source: str, path: Path, base: str | None, tip: str | None, as_typed: bool) -> Robot:  # noqa: FBT001
+    """The robot in a file; who loads it again has the same one, and with it what was worked out for it."""
+    return read_from(robot_of(text, source, path.stem, base=base, tip=tip, as_typed=as_typed), path)
 
 
 def robot_of(
