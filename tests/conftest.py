@@ -6,6 +6,7 @@ typer reads some of these variables when it is imported, so they are set here, b
 import atexit
 import gc
 import os
+import re
 import signal
 import sys
 from collections.abc import Generator
@@ -169,6 +170,13 @@ def pytest_runtest_setup() -> None:
 def user_data() -> Path:
     """The test's own folder for user data."""
     return Path(os.environ["XDG_DATA_HOME"])
+
+
+@pytest.fixture
+def tmp_path(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder for the test. pytest's own looks for a free number among the folders of all tests before."""
+    name = re.sub(r"\W", "_", request.node.name)[:30]
+    return tmp_path_factory.mktemp(f"{name}{next(_NUMBERS)}", numbered=False)
 
 
 _NEEDS_ORJSON = pytest.mark.skipif(find_spec("orjson") is None, reason="the extra [fast] is not installed")

@@ -72,7 +72,7 @@ def read_entries(question: Wanted, exercise: Exercise, text: str, place: Place |
     if question.shape == (3, 1):
         is_axis = question.piece in ("axis", "vector") and not is_length(question, 0, 0)
         body = as_column(body, exercise.scope, is_axis=is_axis)
-    elif not body.lstrip().startswith(("[", "(", "{", "\\", "|")):
+    elif not body.lstrip(" \t\n+-").startswith(("[", "(", "{", "\\", "|")):
         body = f"[{body}]" if question.piece == "rotation" else body
     try:
         if question.shape == (1, 1):

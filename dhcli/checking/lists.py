@@ -21,6 +21,11 @@ _LONE_UNIT = regex(
 _NEXT = regex(r"[ \t]{0,9}\n\s{0,9}|[,;][ \t]{0,9}(?=\(?\d[.)][ \t])")
 _NUMBERED = regex(r"\(?(?P<number>\d)[.)][ \t]{1,9}(?P<rest>\S.{0,998})")
 """A line of a numbered list, `2. a1*s1`; without a blank behind the stop it begins with a number."""
+_FACTOR = regex(
+    r"(?P<factor>[-+−]|[-+−]?\d[\d./]{0,20}|[^\s,;\[\](){}&|=][^,;\n\[\]&|=]{0,40}?\*)[ \t]{0,9}(?=[\[(])"  # noqa: RUF001
+)
+_SEPARATED_ROWS = regex(r"[,;\n]")
+_ROW_ENDS = regex(r"\s{0,9}[;\n]\s{0,9}")
 LONGEST = 400
 """Characters of a list in which the unit behind its last number may be that of all."""
 _TRANSPOSED = regex(r"(?:\^ ?\{? ?\\?(?:T|top|mathsf\{T\}) ?\}?|\.T|\.?') ?$")
@@ -89,3 +94,20 @@ def in_square_brackets(text: str) -> str:
 def _values(text: str) -> list[str]:
     """The numbers between commas, semicolons or bars; those between blanks where there are none."""
     return re.split(r"[,;|]", text) if set(text) & set(",;|") else text.split()
+
+
+def scaled(text: str) -> str:
+    """A list behind a sign or a factor, `-(1, 2, 3)` or `2*[1; 2; 3]`, as a matrix is written; empty if it is none."""
+    match = _FACTOR.match(text)
+    inside = text[match.end() + 1 : -1] if match else ""
+    if (
+        match is None
+        or match.end() + closing(text[match.end() :]) != len(text) - 1
+        or not _SEPARATED_ROWS.search(inside)
+    ):
+        return ""
+    factor = match["factor"].strip()
+    factor = (
+        f"{factor}1*" if factor in ("+", "-", "\N{MINUS SIGN}") else factor if factor.endswith("*") else f"{factor}*"
+    )
+    return f"{factor}[{_ROW_ENDS.sub(', ', inside)}]"

@@ -17,7 +17,12 @@ _ABOUT = regex(r"≈")
 _ABOUT_NAMED = regex(r"(?<=[\w}\u0307])[ \t]{0,9}≈(?=[ \t]{0,9}[+−-]?[\d.]{1,30}[^\n,;=]{0,20}(?:[\n,;]|$))")  # noqa: RUF001
 """Behind each name of a list of numbers, `v_x ≈ 0.1, v_y ≈ 0.2`."""
 _ABOUT_NUMBER = regex(r"(?:(?<=[\[(,;&])[ \t]{0,9}|(?<=\d[ \t]))≈(?=[+−-]?[\d.])")  # noqa: RUF001
-_ABOUT_WORD = regex(r"^\s{0,9}(?:ca\.?|circa|about|approx(?:\.|imately)?|~|≃|≅)\s{0,9}(?=[\d.+−-])", re.IGNORECASE)  # noqa: RUF001
+_ABOUT_WORD = regex(
+    r"^\s{0,9}(?:ca\.|ca(?=\s{0,9}[+−-]?[\d.,]{1,30}\s{0,9}[A-Za-z°]{0,4}\s{0,9}$)|circa|about|approx(?:\.|imately)?"  # noqa: RUF001
+    r"|~|≃|≅)\s{0,9}(?=[\d.+−-])",  # noqa: RUF001
+    re.IGNORECASE,
+)
+"""Before a number; `ca` alone before more of them is the cosine of alpha."""
 _WORD = (
     r"(?:the|my|so|then|it|this|here|is|are|final|answer|ans|result|solution|matrix|vector|position|rotation|point|pose"
     r"|table|dh|jacobian|se3|product|column|[^\W\d_](?:\{?_?\{?\d{1,2}\}?'?){0,2})"
@@ -122,7 +127,11 @@ def without_words(text: str, scope: Scope) -> str:
     if not is_bracketed(rest):
         return text
     word = match["words"]
-    if scope.has(word) or (scope.is_open and word.islower() and len(word.rstrip("0123456789_{}'")) == 1):
+    if (
+        scope.readings(word)
+        or scope.split(word)
+        or (scope.is_open and word.islower() and len(word.rstrip("0123456789_{}'")) == 1)
+    ):
         raise UnreadableError(
             f"{word} stands before the bracket: write {word} = for its name, {word}*[...] for a factor"
         )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from dhcli.checking.lists import unnumbered, untransposed
+from dhcli.checking.lists import scaled, unnumbered, untransposed
 from dhcli.errors import NotationError
 from dhcli.notation.brackets import closing
 from dhcli.notation.parser import parse
@@ -49,6 +49,8 @@ def as_column(text: str, scope: Scope, *, is_axis: bool) -> str:
     body = unnumbered(untransposed(text.strip()))
     if (match := _UNIT_BEHIND.fullmatch(body)) and _is_whole(vector := untransposed(match["vector"])):
         return f"{as_column(vector, scope, is_axis=is_axis)} {match['unit']}"
+    if times := scaled(body):
+        return times
     if is_axis and (match := _AXIS.fullmatch(body)):
         sign = "-" if match[1] == "-" else ""
         return "[" + " ".join(f"{sign}1" if name == match[2] else "0" for name in "xyz") + "]"

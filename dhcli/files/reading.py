@@ -55,7 +55,7 @@ def read_text(path: Path | str, *, limit: int = LIMIT) -> str:
     source = source_of(path)
     try:
         if str(path) == "-":
-            content = _read_standard_input(limit)
+            content = _read_limited(standard_input(), _STANDARD_INPUT, limit)
         else:
             with _opened(path) as stream:
                 content = _read_limited(stream, source, limit)
@@ -161,12 +161,16 @@ def _no_text(content: bytes) -> tuple[str, str] | None:
     return next((told for sign, told in _OTHERS.items() if content.startswith(sign)), None)
 
 
-def _read_standard_input(limit: int) -> bytes:
-    """All of standard input, which a caller of the library may have closed."""
+def standard_input() -> BinaryIO:
+    """The bytes of standard input, which a caller of the library may have closed.
+
+    Raises:
+        FileError: It is closed.
+    """
     stream: BinaryIO | None = getattr(sys.stdin, "buffer", None)
     if stream is None or stream.closed:
         raise FileError(Problem("cannot be read", Place(_STANDARD_INPUT), "name a file instead of -"))
-    return _read_limited(stream, _STANDARD_INPUT, limit)
+    return stream
 
 
 def _read_limited(stream: BinaryIO, source: str, limit: int) -> bytes:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, TypeAlias, cast
 
-from dhcli.errors import RobotError, UnknownNameError, did_you_mean
+from dhcli.errors import RobotError, UnknownNameError, nearest
 from dhcli.frozen import frozen
 from dhcli.geometry.euler import AXES, ORDERS, EulerAngles, Order, RollPitchYaw
 from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
@@ -91,8 +91,9 @@ def check_forms(forms: Iterable[str]) -> Iterator[str]:
     """
     for form in forms:
         if form not in FORMS:
-            hint = did_you_mean(form, [known for known in FORMS if known[-3:] not in AXES])
-            raise UnknownNameError(f"there is no way to say a pose as {form}", hint or f"known: {LISTED}")
+            near = nearest(form, [known for known in FORMS if known[-3:] not in AXES])
+            hint = f"did you mean {' or '.join(near)}?" if near else f"known: {LISTED}"
+            raise UnknownNameError(f"there is no way to say a pose as {form}", hint)
         yield form
 
 

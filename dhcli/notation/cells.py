@@ -61,15 +61,10 @@ def _as_commas(tokens: list[Token]) -> list[Token]:
 def _groups(tokens: list[Token]) -> list[list[Token]]:
     """The rows if every one stands in brackets of its own."""
     rows: list[list[Token]] = []
-    i = 0
+    i, items = 0, _items(tokens)
     while i < len(tokens):
         token = tokens[i]
-        item = token.text == "-" and tokens[i + 1 : i + 2] and tokens[i + 1].text == "["  # of a YAML list
-        if (
-            token.kind == "newline"
-            or token.text in (",", ";", "|")
-            or (item and (i == 0 or tokens[i - 1].kind == "newline"))
-        ):
+        if token.kind == "newline" or token.text in (",", ";", "|") or i in items:
             i += 1
         elif _opens_row(tokens, i) and (closing := matching(tokens, i)) > i:
             rows.append([inner for inner in tokens[i + 1 : closing] if inner.kind != "newline"])
@@ -77,6 +72,16 @@ def _groups(tokens: list[Token]) -> list[list[Token]]:
         else:
             return []
     return rows
+
+
+def _items(tokens: list[Token]) -> set[int]:
+    """The bullets of a YAML list; one alone is a minus sign."""
+    found = {
+        i
+        for i, (token, behind) in enumerate(pairwise(tokens))
+        if token.text == "-" and behind.text == "[" and (i == 0 or tokens[i - 1].kind == "newline")
+    }
+    return found if len(found) > 1 else set()
 
 
 def _opens_row(tokens: list[Token], i: int) -> bool:

@@ -13,7 +13,7 @@ from dhcli.notation.parser import read_all
 from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import Source, Token
-from dhcli.notation.tree import ONE, Expr, Number, Unit, multiply
+from dhcli.notation.tree import ONE, Expr, Number, Unit, multiply, number
 from dhcli.notation.walk import symbols
 
 _LARGEST_POWER = 9
@@ -118,6 +118,8 @@ def _is_factor(tokens: Sequence[Token]) -> bool:
 
 
 def _read(source: Source, tokens: list[Token], scope: Scope) -> Expr:
+    if len(tokens) == 1 and tokens[0].text in ("+", "-"):
+        return number(1 if tokens[0].text == "+" else -1)
     if tokens[-1].text == "*":
         tokens = tokens[:-1]
     elif tokens[0].text == "*":

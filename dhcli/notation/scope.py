@@ -14,6 +14,9 @@ from dhcli.regex import regex
 
 LONGEST_WORD = 200
 
+_INITIALS = {"a": "alpha", "b": "beta", "g": "gamma"}
+"""Letters behind c and s for Greek ones that a keyboard lacks, where nothing has their name."""
+
 _SIGNED = regex(r"\d(?:[+-]\d){1,8}")
 _TERM = regex(r"([+-]?)(\d)")
 
@@ -137,7 +140,7 @@ class Scope:
             return
         if text.startswith("_{") and not text[2:3].isalnum():
             text = text[2:-1]  # c_{\\theta_i}, as some write the cosine of theta_i
-        name = self._known.get(canonical(text.lstrip("_")))
+        name = self._known.get(canonical(text.lstrip("_"))) or self._known.get(_INITIALS.get(text, ""))
         if name is not None and self.is_angle(name):
             yield Angle.of(name)
             return

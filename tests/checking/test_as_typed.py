@@ -85,6 +85,10 @@ READ = [
         "SE3:  0.766  -0.6428  0  0.0435\n 0.6428  0.766  0  0.399\n 0  0  1  0.25\n 0  0  0  1",
         ("0.25", "0.35"),
     ),
+    ("bajd/elementary-rotations", "rot_x", "1 0 0 0\n0 ca -sa 0\n0 sa ca 0\n0 0 0 1", ("0 sa ca", "0 -sa ca")),
+    ("bajd/elementary-rotations", "cosines", "1 0 0; 0 ca -sa; 0 sa ca", ("-sa", "-sb")),
+    ("bajd/elementary-rotations", "rot_z", "cg -sg 0 0; sg cg 0 0; 0 0 1 0; 0 0 0 1", ("cg -sg", "ca -sa")),
+    ("bajd/elementary-rotations", "rot_y", "cb 0 sb 0; 0 1 0 0; -sb 0 cb 0; 0 0 0 1", ("cb 0 sb", "ca 0 sb")),
     (ARM, "table", "a = a1, α = 0, d = 0, θ = θ1; a = a2, α = 0, d = 0, θ = θ2", ("a = a2", "a = a1")),
     (
         ARM,

@@ -263,6 +263,7 @@ def test_a_part_says_otherwise_than_the_exercise_key_by_key() -> None:
     [
         ("{close: 2}", "close: a share is 0 to 1, is 2"),
         ("{unit: -0.1}", "unit: a share is 0 to 1"),
+        ("{close: 50%}", "a share is a number: write 1/2 or 0.5"),
         ("{rotation: 0.5, position: 0.6}", "do not add up to 1"),
         ("{table: row}", "did you mean rows"),
         ("{cloze: 1}", "did you mean close"),

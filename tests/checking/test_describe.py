@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dhcli.checking.exercise import Case, Memo
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.yaml.exercises import read_exercise
 from tests.judging import mark
@@ -110,3 +111,41 @@ def test_letters_of_a_question_about_motion_have_no_unit() -> None:
     assert "of the point (0, 0, c) of frame 3" in moved
     assert "for the joint rates (w, 0.2 m/s, 0)" in moved
     assert rates == "the joint rates for the velocity (v_x, v_y, 0) of frame 3 seen from frame 0, one for each joint"
+
+
+@row_by_row(
+    ("asked", "said"),
+    [
+        ("velocity of 0..3 with rates (0.1, 200, 0)", ["200 m/s is beyond any arm"]),
+        ("velocity of 0..3 with rates (20, 0.2, 0)", []),
+        ("velocity of point (0, 0, 50) of 0..3 with rates (0, 0, 0)", ["50 m is beyond any arm"]),
+        ("velocity of point (0, 0, 50 mm) of 0..3 with rates (0, 0, 0)", []),
+        ("joint rates for (100, 20, 0) of 0..3", ["100 m/s is beyond any arm", "20 m/s is beyond any arm"]),
+        ("differential motion (20, 0, 0) of 0..3", ["20 m is beyond any arm"]),
+        ("torques for (500, 0, 0) of 0..3", []),
+        ("jacobian of 0..3 at (0, 0, 100)", ["100 m is beyond any arm"]),
+    ],
+)
+@row_by_row("unit", ["mm", "none"])
+def test_numbers_of_an_author_who_has_millimetres_in_mind_are_found(asked: str, said: list[str], unit: str) -> None:
+    """Numbers in a question are metres and seconds, whatever the sheet is in; without units they are what one likes."""
+    exercise = read_exercise(
+        f"""
+        format: 1
+        title: x
+        source: x
+        task: x
+        numeric: true
+        unit: {unit}
+        robot: cylindrical
+        given: {{theta1: 30°, d2: 0.2 m, d3: 0.3 m}}
+        parts:
+          - {{id: it, ask: "{asked}"}}
+        """,
+        "x.yaml",
+        "x",
+    )
+    [part] = exercise.parts
+    found = list(part.question.findings(Case(part, Memo(exercise)), ("parts", 0)))
+    assert [one.message for one in found] == ([f"it: {words}" for words in said] if unit == "mm" else [])
+    assert all(one.is_warning for one in found)

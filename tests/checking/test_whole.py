@@ -26,6 +26,7 @@ EXERCISES = (
     "yim/planar-two-links",
     "zhou/three-r-arm-modified",
 )
+LOAD, SCARA = "motion/articulated-load", "bajd/scara-pose-in-m"
 PLANAR, JACOBIAN, JOINTS = "yim/planar-two-links", "motion/planar-jacobian", "inverse/planar-joints-in-numbers"
 
 
@@ -112,10 +113,35 @@ MATRIX = "[c1 -s1 0 a1c1; s1 c1 0 a1s1; 0 0 1 0; 0 0 0 1]"
         ("inv", Verdict.CANNOT_READ),
         ("diag", Verdict.CANNOT_READ),
         ("1*", Verdict.RIGHT),
+        ("+", Verdict.RIGHT),
+        ("c1 ", Verdict.CANNOT_READ),
     ],
 )
 def test_words_before_a_bracket_are_read_past_and_factors_are_not(before: str, verdict: Verdict) -> None:
     """A name of the task may be either, and is asked about; a word that does something is none of these."""
     found = check(load_exercise(PLANAR), "a1", before + MATRIX)
     assert found.verdict is verdict
-    assert ("stands before the bracket" in " ".join(found.remarks)) == (before in ("A1 ", "a1 "))
+    assert ("stands before the bracket" in " ".join(found.remarks)) == (before in ("A1 ", "a1 ", "c1 "))
+
+
+@pytest.mark.parametrize(
+    ("exercise", "part", "answer", "verdict"),
+    [
+        (LOAD, "load", "-[0, 10.3385, 5.1962]", Verdict.WRONG),
+        (LOAD, "load", "-(0, -10.3385, -5.1962)", Verdict.RIGHT),
+        (LOAD, "load", "2*(0, 5.16925, 2.5981)", Verdict.RIGHT),
+        (SCARA, "tool", "-[[0.0435], [0.399], [0.25]]", Verdict.WRONG),
+        (SCARA, "tool", "-[-0.0435; -0.399; -0.25]", Verdict.RIGHT),
+        (SCARA, "tool", "- [0.0435]\n- [0.399]\n- [0.25]", Verdict.RIGHT),
+        (SCARA, "heading", "-[-0.766 0.643 0; -0.643 -0.766 0; 0 0 -1]", Verdict.RIGHT),
+        (SCARA, "heading", "-[0.766 -0.643 0; 0.643 0.766 0; 0 0 1]", Verdict.WRONG),
+        (JACOBIAN, "column1", "-[a1*s1 + a2*s12; -a1*c1 - a2*c12; 0]", Verdict.RIGHT),
+        (JACOBIAN, "column1", "-(a1*s1 + a2*s12), a1*c1 + a2*c12, 0", Verdict.RIGHT),
+        (JACOBIAN, "column1", "a1*(-s1, c1, 0)", Verdict.WRONG),
+    ],
+)
+def test_a_sign_or_a_factor_before_a_bracket_is_that_of_all_in_it(
+    exercise: str, part: str, answer: str, verdict: Verdict
+) -> None:
+    """And is no bullet of a list with one item."""
+    assert check(load_exercise(exercise), part, answer).verdict is verdict

@@ -62,8 +62,8 @@ def test_a_bug_shows_its_traceback_when_asked(monkeypatch: pytest.MonkeyPatch) -
 def test_ctrl_c_ends_with_130_and_no_traceback(tmp_path: Path) -> None:
     """While it waits for standard input: the first byte of the prompt is not needed, the message of the wait is."""
     code = "import sys, dhcli.files.reading as r\nfrom dhcli.cli.main import main\n"
-    code += "def wait(limit):\n    print('waiting', flush=True)\n    import time\n    time.sleep(60)\n"
-    code += "r._read_standard_input = wait\nsys.exit(main(['fk', '-']))"
+    code += "def wait():\n    print('waiting', flush=True)\n    import time\n    time.sleep(60)\n"
+    code += "r.standard_input = wait\nsys.exit(main(['fk', '-']))"
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
     with subprocess.Popen(
         [sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment

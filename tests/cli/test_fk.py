@@ -175,6 +175,21 @@ def test_as_replaces_the_matrix_and_states_its_convention(dhcli: Run) -> None:
     assert out.index("rpy") < out.index("position")
 
 
+@pytest.mark.parametrize(
+    ("form", "hint"),
+    [
+        ("quat", "did you mean quaternion?"),
+        ("rotvec", "did you mean rotation-vector?"),
+        ("euler", "zyz and all orders of"),
+    ],
+)
+def test_a_form_that_there_is_not_is_told_the_nearest_or_all(dhcli: Run, form: str, hint: str) -> None:
+    """Orders of axes among them."""
+    done = dhcli("fk", "scara", "--pose", "pick", "--as", form)
+    assert (done.code, done.out) == (2, "")
+    assert hint in done.err
+
+
 def test_roll_at_the_pole_is_zero_with_a_warning(dhcli: Run) -> None:
     """Pitch 90° leaves only one of roll and yaw."""
     done = dhcli("transform", "Rot(z,20°) Rot(y,90°) Rot(x,30°)", "--as", "rpy")

@@ -127,7 +127,7 @@ def command_lines() -> Iterator[tuple[str, ...]]:
         "point": ("fk", robot, "-s", "--point", "1,2,3"),
         "placement": ("fk", robot, "--pose", "home", "--as", "rpy"),
         "robot": ("show", robot),
-        "description": ("describe", robot, "--steps"),
+        "description": ("describe", robot),
         "motors": ("describe", f"./robots/m{NAME}.yaml", "--as", "motors"),
         "linkage": ("show", linkage),
         "mobility": ("dof", linkage),
@@ -149,6 +149,7 @@ def command_lines() -> Iterator[tuple[str, ...]]:
     }.items():
         yield from ((*words, "--format", name) for name in kinds.formats(kind) if name != "gradescope")
     yield from (("show", products, "--format", name) for name in kinds.formats("robot"))
+    yield "describe", robot, "--format", "urdf"  # a URDF has no steps
     yield "grade", "class/one", "--format", "gradescope"
     for words in (("fk", robot), ("jacobian", robot)):
         yield from ((*words, "--code", name) for name in kinds.formats("function") if name != "json")
@@ -157,6 +158,7 @@ def command_lines() -> Iterator[tuple[str, ...]]:
     yield from ((*solver, name) for name in kinds.formats("inverse function") if name != "json")
     yield "draw", robot, "--pose", "home"
     yield "draw", robot, "--pose", "home", "-o", f"{NAME}.svg"
+    yield "describe", robot, "--steps"
     yield "start", exercise, "-o", "-"
     yield "start", exercise, "-o", NAME
     yield "hint", exercise

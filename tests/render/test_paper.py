@@ -48,6 +48,9 @@ def test_ink_leaves_the_text_alone_without_colour() -> None:
         ("Armstrong-Hélouvry", "Armstrong-Helouvry"),
         ("−π/2 · √3", "-pi/2, sqrt3"),
         ("Σf = 4·1", "sum f = 4*1"),
+        ("11 µm", "11 um"),
+        ("dT = Δ T", "dT = Delta T"),
+        ("½ ∓ 1", "1/2 -+ 1"),
         ("日本", "??"),
     ],
 )

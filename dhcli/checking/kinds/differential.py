@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Rank, Slip
@@ -75,6 +75,9 @@ class DifferentialQuestion(MotionQuestion):
         return (
             f"the change dT of the pose, for the small displacement {small} {self.motion.where(exercise)}: a 4x4 matrix"
         )
+
+    def measured(self, _exercise: Exercise) -> Iterable[tuple[Sequence[Expr], Sequence[str]]]:
+        return ((self.moved, ("m",) * 3),)
 
     def _pose(self, case: Case) -> tuple[Rows, bool]:
         robot = needed(case.exercise.robot)

@@ -17,6 +17,7 @@ from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving.goal import read_target, solutions
 from dhcli.checking.solving.question import Vectors, WantedJoints
 from dhcli.checking.solving.reading import bracketed, read_vectors
+from dhcli.checking.solving.spare import spare_joints, without_number
 from dhcli.checking.solving.vectors import in_unit, other_units, shows_unit
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.checking.whole import ends_in_bracket, is_closed
@@ -105,7 +106,9 @@ class JointsQuestion(WantedJoints):
             f"{self.spelled(field, q)}{f' ({name})' if name else ''}"
             for q, name in zip(field.solutions, named, strict=True)
         ]
-        yield Shown("\n".join((f"In numbers that is {plural(len(lines), 'solution')}:", *lines)))
+        free = " and ".join(spare_joints(case, self.target))
+        more = f", for {free} as here: other values have others" if free else ""
+        yield Shown("\n".join((f"In numbers that is {plural(len(lines), 'solution')}{more}:", *lines)))
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Vectors:
         exercise = case.exercise
@@ -166,6 +169,8 @@ class JointsQuestion(WantedJoints):
             listed = "; ".join(dict.fromkeys(branch for branch in found.branches if branch))
             message = f"{case.part.id}: no solution is {' and '.join(self.branch)}"
             yield Finding((*where, "ask"), message, f"branches here: {listed or 'none has a name'}")
+        if self.which != "any":
+            yield from without_number(case, self.target, where)
         if self.which == "all" and any(found.free):
             message = f"{case.part.id}: this pose is singular, and a solution stands for a whole family"
             yield Finding((*where, "ask"), message, "ask for one solution, or give another pose", is_warning=True)

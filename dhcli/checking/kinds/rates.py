@@ -112,6 +112,9 @@ class RatesQuestion(ColumnsQuestion):
             return f" [{slide}]" if slide else ""
         return f" [{TURNING}, of a slide {slide}]" if slide else f" [{TURNING} where a joint turns]"
 
+    def measured(self, exercise: Exercise) -> Iterable[tuple[Sequence[Expr], Sequence[str]]]:
+        return (*ColumnsQuestion.measured(self, exercise), (self.linear or (), (SPEED,) * len(self.linear or ())))
+
     def units(self, case: Case) -> tuple[str, ...]:
         return tuple(TURNING if one.turns else SPEED for one in self.columns(case).each)
 

@@ -15,6 +15,7 @@ from dhcli.checking.pasted import UnreadableError, without_label, without_number
 from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.solving.goal import Target, read_target, solutions
 from dhcli.checking.solving.question import GoalQuestion
+from dhcli.checking.solving.spare import without_number
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, plural
 from dhcli.frozen import frozen
@@ -80,6 +81,7 @@ class SolutionsQuestion(GoalQuestion[int], AlternativesQuestion[int]):
             yield Shown(found.why)
 
     def findings(self, case: Case, where: tuple[str | int, ...]) -> Iterable[Finding]:
+        yield from without_number(case, self.target, where)
         if any(solutions(case, self.target).free):
             message = f"{case.part.id}: this pose is singular, and has solutions without number"
             yield Finding((*where, "ask"), message, "give another pose", is_warning=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import ClassVar, Self
@@ -85,12 +85,17 @@ class VelocityQuestion(ColumnsQuestion):
 
     def _at_rates(self, exercise: Exercise) -> str:
         """For which joint rates, in words; nothing where none are given."""
+        return "".join(f", for the joint rates {in_units(*given, exercise)}" for given in self._given_rates(exercise))
+
+    def _given_rates(self, exercise: Exercise) -> Iterator[tuple[Sequence[Expr], Sequence[str]]]:
+        """The joint rates that are given, with their units."""
         robot, rates = exercise.robot, self.motion.rates
-        if rates is None or robot is None:
-            return ""
-        kinds = {joint.name: joint.kind for joint in robot.joints}
-        units = [TURNING if kinds[name] == "revolute" else SPEED for name in self.motion.joints(robot)]
-        return f", for the joint rates {in_units(rates, units, exercise)}"
+        if rates is not None and robot is not None:
+            kinds = {joint.name: joint.kind for joint in robot.joints}
+            yield rates, [TURNING if kinds[name] == "revolute" else SPEED for name in self.motion.joints(robot)]
+
+    def measured(self, exercise: Exercise) -> Iterable[tuple[Sequence[Expr], Sequence[str]]]:
+        return (*ColumnsQuestion.measured(self, exercise), *self._given_rates(exercise))
 
     def units(self, _case: Case) -> tuple[str, ...]:
         return (TURNING if self.angular else SPEED,) * 3

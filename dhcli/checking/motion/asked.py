@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from dhcli.checking.exercise import Exercise
+from dhcli.algebra.floats import Floats
+from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import NotationError, Place, Problem, RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.frames import ORIGIN, Point, ends, frame
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.validity import Finding
 from dhcli.kinematics.velocity.form import Form
 from dhcli.kinematics.velocity.view import MotionView, joints_between
 from dhcli.notation.dimensions import read_at
@@ -30,6 +32,9 @@ _TAIL = regex(
     re.DOTALL,
 )
 _FORM = regex(r"(?P<word>linear|angular|space|body|analytic\s+(?P<angles>[a-z]{3}))?")
+
+MOST = 10.0
+"""Metres, or metres a second; more has no arm."""
 
 
 @frozen
@@ -106,6 +111,26 @@ def in_units(found: Sequence[Expr], units: Sequence[str], exercise: Exercise) ->
         return f"({', '.join(map(write, found))})" + (f" {known[0]}" if any(bare) else "")
     pairs = zip(found, known, bare, strict=True)
     return f"({', '.join(f'{write(one)} {unit}' if has_unit else write(one) for one, unit, has_unit in pairs)})"
+
+
+def beyond_any_arm(
+    case: Case, where: tuple[str | int, ...], found: Sequence[Expr], units: Sequence[str]
+) -> Iterator[Finding]:
+    """Numbers of a question that no arm has, as of an author who has millimetres in mind.
+
+    Args:
+        case: The part with its exercise; without units lengths are what one likes.
+        where: Path to the part.
+        found: The numbers, in metres, radians and seconds.
+        units: The unit of each.
+    """
+    for one, unit in zip(found, units, strict=True):
+        if case.exercise.unit == "none" or not unit.startswith("m") or symbols_in((one,)):
+            continue
+        if (size := abs(Floats({}).value(one))) > MOST:
+            message = f"{case.part.id}: {write(one)} {unit} is beyond any arm"
+            hint = f"numbers in ask: are in metres and seconds: did you mean {size / 1000:g} {unit}?"
+            yield Finding((*where, "ask"), message, hint, is_warning=True)
 
 
 def read_motion(text: str, scope: Scope, place: Place | None) -> Motion:

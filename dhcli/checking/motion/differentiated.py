@@ -6,8 +6,10 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import TypeAlias
 
+from dhcli.checking.entries import Entries
 from dhcli.checking.motion.columns import Columns, Vector, position
-from dhcli.kinematics.frames import ORIGIN, between
+from dhcli.checking.wanted import Wanted
+from dhcli.kinematics.frames import ORIGIN, View, between
 from dhcli.kinematics.moves import Trans
 from dhcli.kinematics.recorded import kept
 from dhcli.kinematics.robot import Robot
@@ -35,6 +37,27 @@ def differentiated(columns: Columns, rule: Rule) -> Iterator[tuple[str, Columns]
     velocities = kept(robot, ("differentiated", rule, view, joints), lambda: _velocities(robot, view, joints, rule))
     pairs = zip(columns.each, velocities, strict=True)
     yield "", replace(columns, each=tuple(replace(one, linear=velocity) for one, velocity in pairs))
+
+
+def slopes(columns: Columns, question: object, entries: Entries) -> dict[tuple[int, int], Expr] | None:
+    """The rows of v of somebody who differentiates a position of their own, in letters, by row and column.
+
+    Args:
+        columns: The right columns.
+        question: The question that the position answers.
+        entries: The pose or the position that was typed.
+
+    Returns:
+        None where it is no position of the end that moves.
+    """
+    view = columns.view
+    if not isinstance(question, Wanted) or question.inverse or question.piece not in ("pose", "position"):
+        return None
+    if question.source != View(view.start, view.end) or view.axes != view.start or view.place != view.end:
+        return None
+    place = [row[-1].expr for row in entries[:3]] if view.point == ORIGIN else []
+    pairs = [(row, k, expr, one.joint) for row, expr in enumerate(place) for k, one in enumerate(columns.each)]
+    return {(row, k): derivative(expr, joint) for row, k, expr, joint in pairs} or None
 
 
 def _velocities(robot: Robot, view: MotionView, joints: tuple[str, ...], rule: Rule) -> tuple[Vector, ...]:

@@ -17,6 +17,7 @@ from dhcli.checking.entries import Entries
 from dhcli.checking.exercise import Case
 from dhcli.checking.motion.angles import at_other_angles
 from dhcli.checking.motion.columns import Columns, columns_for, columns_of
+from dhcli.checking.motion.differentiated import slopes
 from dhcli.checking.motion.digits import Digits
 from dhcli.checking.motion.grid import Grid, Numbers, alike, scale_of, within
 from dhcli.checking.motion.mistakes import made, then
@@ -161,7 +162,7 @@ class ColumnsQuestion(MotionQuestion):
     # --- Follow-through -----------------------------------------------------------------------------------------
 
     def follows(self, case: Case, reading: Reading[Entries], earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
-        """The earlier table or frames, and pieces of the Jacobian, from which an answer follows rightly."""
+        """The earlier table, frames or position, and pieces of the Jacobian, from which an answer follows rightly."""
         columns, own, drawn = self.columns(case), [], []
         for other in case.exercise.before(case.part):
             if other.id not in earlier:
@@ -171,6 +172,8 @@ class ColumnsQuestion(MotionQuestion):
                 found = other.question.typed_entries(there, earlier[other.id])
                 if found is not None and found[0] == columns.view:
                     own.append((other.id, found[1]))
+            elif not case.exercise.numeric and (rates := slopes(columns, other.question, earlier[other.id].value)):
+                own.append((other.id, rates))
             elif (arm := other.question.arm(there, earlier[other.id])) is not None:
                 drawn.append((other.id, arm))
         for names, start in (((), columns), *_drawn(columns, drawn)):

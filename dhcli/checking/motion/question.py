@@ -11,7 +11,7 @@ from typing import ClassVar
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.entries import Entries, entries_text, values_of
 from dhcli.checking.exercise import Case, Exercise, Memo, Part, Question
-from dhcli.checking.motion.asked import Motion
+from dhcli.checking.motion.asked import Motion, beyond_any_arm
 from dhcli.checking.motion.digits import Digits
 from dhcli.checking.motion.grid import Grid, Numbers, alike, general_floats_in, over, scale_of, within
 from dhcli.checking.motion.in_entries import sign_causes, signs, swapped, term_causes
@@ -26,6 +26,8 @@ from dhcli.checking.whole import is_whole_matrix
 from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.validity import Finding
+from dhcli.notation.tree import Expr
 
 
 @frozen
@@ -69,6 +71,15 @@ class MotionQuestion(Question[Entries]):
     @abstractmethod
     def wrong(self, case: Case) -> Iterable[tuple[Slip, Grid]]:
         """Every mistake with the answer that it leads to."""
+
+    def measured(self, _exercise: Exercise) -> Iterable[tuple[Sequence[Expr], Sequence[str]]]:
+        """The numbers of the question, each with its unit."""
+        return ((self.motion.point, ("m",) * 3),)
+
+    def findings(self, case: Case, where: tuple[str | int, ...]) -> Iterable[Finding]:
+        """Numbers that no arm has."""
+        for found, units in self.measured(case.exercise):
+            yield from beyond_any_arm(case, where, found, units)
 
     def right(self, case: Case) -> Grid:
         """The right answer, computed once."""

@@ -10,7 +10,7 @@ from fractions import Fraction
 from dhcli.checking.blanks import refuse_one_expression
 from dhcli.checking.entries import Entries, Entry, check_names, count_remark
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.lists import flat, in_square_brackets
+from dhcli.checking.lists import flat, in_square_brackets, scaled
 from dhcli.checking.named import Naming, in_one, in_order, in_rows
 from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, refuse_long, without_label, without_words
 from dhcli.checking.units import has_length_unit, length_in_metres
@@ -148,7 +148,10 @@ def _in_newtons(unit: re.Match[str]) -> str:
 def _bracketed(body: str, shape: tuple[int, int], scope: Scope) -> str:
     """A list without brackets, or in round ones, as a matrix."""
     if shape[1] == 1:
-        body = in_square_brackets(_NAMED.sub(r"\1", body).strip())
+        body = _NAMED.sub(r"\1", body).strip()
+        if times := scaled(body):
+            return times
+        body = in_square_brackets(body)
         if shape[0] == LENGTHS[0]:
             return as_column(body, scope, is_axis=False)
         if body.count(";") + body.count("\\\\") + body.count("\n") >= shape[0] - 1 and (

@@ -60,7 +60,7 @@ def robot(
         ),
     ] = None,
     units: Annotated[
-        str | None, typer.Option(metavar="UNIT", help="Unit of the bare lengths in FILE: m, mm, cm or in.")
+        str | None, typer.Option(metavar="UNITS", help="Units of bare lengths and angles in FILE, such as mm,deg.")
     ] = None,
     chain: Annotated[Chosen, _OF_URDF],
     output: Annotated[str | None, output_option("Where to write; ./robots/NAME.yaml by default, - is stdout.")] = None,

@@ -31,7 +31,7 @@ def solution(
     from dhcli.cli.shell.untried import ask_once
     from dhcli.files.yaml.exercises import load_exercise
     from dhcli.render.paper import Paper
-    from dhcli.render.text.marks import solution_text
+    from dhcli.render.text.worked import solutions_text
 
     judge = variant_of(Judge(load_exercise(name)), variant)
     exercise = judge.exercise
@@ -39,4 +39,4 @@ def solution(
     if not yes:
         ask_once(exercise, parts)
     paper = Paper.of(sys.stdout)
-    write_out("\n".join(solution_text(exercise, one, judge.solution(one), paper) for one in parts))
+    write_out(solutions_text(exercise, {one.id: judge.solution(one) for one in parts}, paper))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Convention, column_of
@@ -32,7 +32,7 @@ _WORDS = {
     "joint angle": "theta",
     "angle": "theta",
     "offset": "offset",
-    "joint offset": "offset",
+    **dict.fromkeys(("joint offset", "theta offset", "theta_offset", "joint_offset", "q_offset"), "offset"),
     "beta": "beta",
     "type": "kind",
     "joint type": "kind",
@@ -83,6 +83,11 @@ def heads_of(text: str) -> Heads | None:
     return None
 
 
+def needed(columns: Container[str]) -> Sequence[str]:
+    """The columns that a table must have: all four, or an offset in the place of theta, which it is added to."""
+    return COLUMNS[:-1] if "offset" in columns and "theta" not in columns else COLUMNS
+
+
 def cells_of(line: str, sign: str) -> list[str]:
     """The cells of a line, without quotes and the bars at its ends."""
     line = line.replace("\r", " ").strip()  # csv refuses it within a line
@@ -109,7 +114,7 @@ def _heads(line: str, number: int, below: Sequence[str]) -> Heads | None:
         found = [named(cell) for cell in cells]
         columns = tuple(one.column for one in found)
         known = columns[1:] if len(below) == len(columns) and COUNTED.fullmatch(below[0]) else columns
-        if all(columns.count(column) == 1 for column in COLUMNS) and (sign != " " or set(known) <= _KNOWN):
+        if all(columns.count(column) == 1 for column in needed(columns)) and (sign != " " or set(known) <= _KNOWN):
             besides = tuple(cell for cell, one in zip(cells, found, strict=True) if one.is_beside)
             return Heads(number, sign, columns, tuple(one.unit for one in found), _convention(found), besides)
     return None

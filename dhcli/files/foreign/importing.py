@@ -10,7 +10,7 @@ from dhcli.files.foreign.forms import Form, form_of, told
 from dhcli.files.foreign.keyed import keyed_rows
 from dhcli.files.foreign.kinematics import read_kinematics
 from dhcli.files.foreign.listing import read_listing
-from dhcli.files.foreign.rows import Reader, RowText, Whole, robot_of_rows, scope_of
+from dhcli.files.foreign.rows import Reader, RowText, Units, Whole, robot_of_rows, scope_of
 from dhcli.files.foreign.tables import first_row, read_table
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.frozen import frozen
@@ -18,7 +18,7 @@ from dhcli.kinematics.conventions import COLUMNS, Convention, convention_hint, c
 from dhcli.kinematics.describe.asked import Asked
 from dhcli.kinematics.describe.description import describe
 from dhcli.kinematics.robot import Robot
-from dhcli.notation.quantity import LENGTH_UNITS
+from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS
 from dhcli.notation.quarters import Slight
 
 
@@ -30,7 +30,7 @@ class Wish:
         name: What the robot is called.
         convention: Of a table, the one it is in; of everything else the one it is to be written in.
         joints: A letter for each row: R, P or F.
-        units: Unit of bare lengths.
+        units: Units of bare lengths and angles, `mm,deg`; one of them may be missing.
         base: The link of a URDF that is frame 0.
         tip: The link of a URDF that is the last frame.
         as_typed: Whether 1.5708 stays what it is.
@@ -53,17 +53,15 @@ def import_robot(text: str, source: str, wish: Wish) -> Robot:
         UnknownNameError: There is no such convention, unit or link.
     """
     convention = _convention(wish.convention)
-    if wish.units and wish.units not in LENGTH_UNITS:
-        hint = did_you_mean(wish.units, LENGTH_UNITS)
-        raise UnknownNameError(f"{wish.units} is no unit of length", hint)
+    units = _units(wish.units)
     form = form_of(text)
-    _check_wish(wish, form, source)
+    _check_wish(wish, units, form, source)
     joints = wish.joints.strip().upper()
     match form:
         case Form.TABLE:
             return _from_table(text, source, wish, convention)
         case Form.LISTING:
-            found = read_listing(text, source, wish.name, wish.units, as_typed=wish.as_typed)
+            found = read_listing(text, source, wish.name, units.length, as_typed=wish.as_typed)
         case Form.KINEMATICS:
             found = read_kinematics(text, source, wish.name, joints, as_typed=wish.as_typed)
         case Form.URDF | Form.XACRO:
@@ -75,7 +73,24 @@ def import_robot(text: str, source: str, wish: Wish) -> Robot:
     return found if convention in (None, found.convention) else _described(found, convention)
 
 
-def _check_wish(wish: Wish, form: Form | None, source: str) -> None:
+def _units(text: str) -> Units:
+    """The unit of lengths and that of angles.
+
+    Raises:
+        UnknownNameError: One of them is no unit, or there are two of one kind.
+    """
+    words = text.replace(",", " ").split()
+    lengths = [word for word in words if word in LENGTH_UNITS]
+    angles = [word for word in words if word in ANGLE_UNITS]
+    if unknown := next((word for word in words if word not in (*lengths, *angles)), ""):
+        hint = did_you_mean(unknown, (*LENGTH_UNITS, *ANGLE_UNITS))
+        raise UnknownNameError(f"{unknown} is no unit of lengths or angles", hint)
+    if len(lengths) > 1 or len(angles) > 1:
+        raise UnknownNameError(f"{text} are two units of one kind", "one of lengths and one of angles: mm,deg")
+    return Units("".join(lengths), "".join(angles))
+
+
+def _check_wish(wish: Wish, units: Units, form: Form | None, source: str) -> None:
     """Make sure that what a person says about a file has a meaning there.
 
     Raises:
@@ -83,15 +98,18 @@ def _check_wish(wish: Wish, form: Form | None, source: str) -> None:
     """
     if form not in (Form.URDF, Form.XACRO) and (wish.base or wish.tip):
         raise FileError(Problem("only a URDF has links to choose from", Place(source)))
-    if wish.units not in ("", "m") and form in (Form.URDF, Form.XACRO, Form.KINEMATICS):
+    if units.length not in ("", "m") and form in (Form.URDF, Form.XACRO, Form.KINEMATICS):
         hint = "divide them in the file, if they are none"
-        raise FileError(Problem(f"lengths of {form.value} are in metres, not in {wish.units}", Place(source), hint))
+        raise FileError(Problem(f"lengths of {form.value} are in metres, not in {units.length}", Place(source), hint))
+    if units.angle not in ("", "rad") and form in (Form.URDF, Form.XACRO, Form.KINEMATICS, Form.LISTING):
+        hint = "change them in the file, if they are none"
+        raise FileError(Problem(f"angles of {form.value} are in radians, not in {units.angle}", Place(source), hint))
     if wish.joints and form in (Form.URDF, Form.XACRO, Form.LISTING):
         raise FileError(Problem(f"{form.value} says itself what its joints do", Place(source), "leave --joints out"))
 
 
 def _from_table(text: str, source: str, wish: Wish, convention: Convention | None) -> Robot:
-    heads, rows = read_table(text, source, wish.units)
+    heads, rows = read_table(text, source)
     lines = text.split("\n")
     place = Place(source, heads.line, 1, lines[heads.line - 1])
     said = heads.convention or _wanted(convention, place, "\n".join(lines[: heads.line - 1]))
@@ -104,7 +122,7 @@ def _from_table(text: str, source: str, wish: Wish, convention: Convention | Non
 
 def _from_rows(text: str, source: str, wish: Wish, convention: Convention | None) -> Robot:
     """The robot of a file that no other form fits: of rows with keys, if it has any."""
-    rows, besides = keyed_rows(text, source, wish.units)
+    rows, besides = keyed_rows(text, source)
     if rows:
         return _of_rows(rows, source, wish, _wanted(convention, rows[0].place, text), besides)
     if (line := first_row(text)) is not None:
@@ -135,7 +153,8 @@ def _untold(place: Place, around: str) -> FileError:
 
 def _of_rows(rows: Sequence[RowText], source: str, wish: Wish, convention: Convention, besides: Sequence[str]) -> Robot:
     """The robot of the rows of a table."""
-    reader = Reader(scope_of(cell.text for row in rows for cell in row.cells.values()), as_typed=wish.as_typed)
+    scope = scope_of(cell.text for row in rows for cell in row.cells.values())
+    reader = Reader(scope, units=_units(wish.units), as_typed=wish.as_typed)
     if besides:
         reader.remarks.append(Slight(f"left out: {', '.join(besides)}"))
     whole = Whole(wish.name, wish.name, f"the table {source}", convention)

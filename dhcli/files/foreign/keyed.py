@@ -5,34 +5,34 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from dhcli.errors import FileError, Problem
-from dhcli.files.foreign.heads import Named, named
+from dhcli.files.foreign.heads import Named, named, needed
 from dhcli.files.foreign.rows import Cell, RowText
 from dhcli.files.foreign.tables import LIMITS, READ, kind_of
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
-from dhcli.kinematics.conventions import COLUMNS
 
 
-def keyed_rows(text: str, source: str, units: str = "") -> tuple[list[RowText], tuple[str, ...]]:
+def keyed_rows(text: str, source: str) -> tuple[list[RowText], tuple[str, ...]]:
     """The first list in a file whose items have keys a, alpha, d and theta, and what else these have.
 
     Args:
         text: YAML or JSON.
         source: What it is called in errors.
-        units: Unit of lengths where the keys do not say one; metres by default.
 
     Returns:
         No rows where there is no such list, or the text is neither YAML nor JSON.
 
     Raises:
-        FileError: A row lacks a column that the first has.
+        FileError: A row lacks a column that the first has; or it is not what the end of its name promises.
     """
     try:
         root = read_yaml(text, source, is_foreign=True)
     except FileError:
+        if source.lower().endswith((".json", ".yaml", ".yml")):
+            raise
         return [], ()
     listed = next(filter(None, map(_rows, _nodes(root))), ())
     besides = {key.text: None for row in listed for key, _ in row.entries if named(key.text).column not in READ}
-    return [_row(row, units) for row in listed], tuple(besides)
+    return [_row(row) for row in listed], tuple(besides)
 
 
 def _nodes(node: PlacedNode) -> Iterator[PlacedNode]:
@@ -51,7 +51,10 @@ def _rows(node: PlacedNode) -> Sequence[PlacedMapping]:
     if isinstance(node, PlacedMapping):
         items = tuple(value for _, value in node.entries)
     rows = [item for item in items if isinstance(item, PlacedMapping)]
-    return rows if rows and len(rows) == len(items) and set(COLUMNS) <= _columns(rows[0]).keys() else ()
+    if not rows or len(rows) < len(items):
+        return ()
+    columns = _columns(rows[0])
+    return rows if set(needed(columns)) <= columns.keys() else ()
 
 
 def _columns(row: PlacedMapping) -> Mapping[str, tuple[Named, PlacedNode]]:
@@ -60,9 +63,9 @@ def _columns(row: PlacedMapping) -> Mapping[str, tuple[Named, PlacedNode]]:
     return {head.column: (head, value) for head, value in found if head.column in READ}
 
 
-def _row(row: PlacedMapping, units: str) -> RowText:
+def _row(row: PlacedMapping) -> RowText:
     columns = _columns(row)
-    if lacking := [column for column in COLUMNS if column not in columns]:
+    if lacking := [column for column in needed(columns) if column not in columns]:
         raise FileError(Problem(f"{lacking[0]} is missing in this row", row.place, f"write {lacking[0]}: 0"))
     cells: dict[str, Cell] = {}
     kind = ""
@@ -72,5 +75,5 @@ def _row(row: PlacedMapping, units: str) -> RowText:
         if column == "kind":
             kind = kind_of(value.text, value.place)
         elif value.text or column not in LIMITS:
-            cells[column] = Cell(value.text or "0", value.place_of(0), head.unit or (units if column in "ad" else ""))
+            cells[column] = Cell(value.text or "0", value.place_of(0), head.unit)
     return RowText(row.place, cells, kind)

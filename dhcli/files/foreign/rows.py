@@ -38,6 +38,14 @@ class Cell:
     unit: str = ""
 
 
+@frozen
+class Units:
+    """Units of bare numbers where nothing else is said: none of an angle, and metres, where they are empty."""
+
+    length: str = ""
+    angle: str = ""
+
+
 @dataclass(slots=True)
 class RowText:
     """A row as it was typed.
@@ -144,9 +152,10 @@ def in_unit(expr: Expr, unit: str) -> Expr:
 class Reader:
     """Reads cells and rows one after another; what is wrong is collected."""
 
-    def __init__(self, scope: Scope, *, as_typed: bool = False) -> None:
-        """Take the names that may stand in them, and whether 1.5708 rad stays what it is."""
+    def __init__(self, scope: Scope, *, units: Units | None = None, as_typed: bool = False) -> None:
+        """Take the names that may stand in them, units of bare numbers, and whether 1.5708 rad stays what it is."""
         self.scope = scope
+        self.units = units or Units()
         self.as_typed = as_typed
         self.problems: list[Problem] = []
         self.remarks: list[str] = []
@@ -232,7 +241,7 @@ class Reader:
         if cell is None:
             return ZERO
         try:
-            return to_length(in_unit(self.parsed(cell), cell.unit))
+            return to_length(in_unit(self.parsed(cell), cell.unit or self.units.length))
         except DimensionError as error:
             self.problems.append(Problem(f"{column}: {error.message}", cell.place, error.hint))
         except NotationError as error:
@@ -244,14 +253,14 @@ class Reader:
         if cell is None:
             return Angle()
         try:
-            typed = in_unit(self.parsed(cell), cell.unit)
+            typed = in_unit(self.parsed(cell), cell.unit or self.units.angle)
             said: list[str] = []
             found = to_angle(typed if self.as_typed else with_right_angles(typed, said), bare="refuse")
             self.remarks += [type(remark)(f"{column}: {remark}") for remark in said]
         except DimensionError as error:
             hint = error.hint or "write 90°"
             if "has no unit" in error.message:
-                hint = f"{hint}, or the unit in the head: {column} [deg]"
+                hint = f"{hint}, or the unit in the head: {column} [deg], or --units deg"
             self.problems.append(Problem(f"{column}: {error.message}", cell.place, hint))
         except NotationError as error:
             self.problems += error.problems

@@ -29,13 +29,12 @@ _NONE = frozenset(("", "-", "–", "—", "−"))  # noqa: RUF001  dashes, and a
 _TWO_WAYS = regex(r"\+?(?P<high>[^-+/]{1,40})/ ?(?P<low>[-−][^-+/]{1,40})")  # noqa: RUF001  a minus sign
 
 
-def read_table(text: str, source: str, units: str = "") -> tuple[Heads, list[RowText]]:
+def read_table(text: str, source: str) -> tuple[Heads, list[RowText]]:
     """The heads and the rows of a table.
 
     Args:
         text: CSV, or a page with a table.
         source: What it is called in errors.
-        units: Unit of lengths where the heads do not say one; metres by default.
 
     Raises:
         FileError: It has no heads, or a row has not as many cells.
@@ -55,7 +54,7 @@ def read_table(text: str, source: str, units: str = "") -> tuple[Heads, list[Row
         hint = did_you_mean(unknown, READ) or "a column without a head is left out"
         place = Place(source, heads.line, line.find(unknown) + 1, line)
         raise FileError(Problem(f"{unknown} is no column of a DH table", place, hint))
-    return heads, [_row(cells, place, heads, units) for cells, place in lines]
+    return heads, [_row(cells, place, heads) for cells, place in lines]
 
 
 def first_row(text: str) -> int | None:
@@ -119,7 +118,7 @@ def _without_brackets(row: str, depth: int) -> tuple[str, int]:
     return (bare[: closed.start()] if closed else bare).strip(), behind
 
 
-def _row(cells: list[str], place: Place, heads: Heads, units: str) -> RowText:
+def _row(cells: list[str], place: Place, heads: Heads) -> RowText:
     if len(cells) != len(heads.columns):
         message = f"{plural(len(cells), 'cell')}, and {plural(len(heads.columns), 'head')}"
         raise FileError(Problem(message, place, "a row has a cell under each head; text with a comma needs quotes"))
@@ -133,8 +132,7 @@ def _row(cells: list[str], place: Place, heads: Heads, units: str) -> RowText:
         elif column == "range" and text not in _NONE:
             found |= dict(zip(LIMITS, (Cell(end.text, end.place, unit) for end in _ends(text, here)), strict=True))
         elif column != "range" and column and (text not in _NONE or column not in LIMITS):
-            default = units if column in ("a", "d") else ""
-            found[column] = Cell("0" if text in _NONE else text, here, unit or default)
+            found[column] = Cell("0" if text in _NONE else text, here, unit)
         column_of_text += len(text)
     return RowText(place, found, kind)
 

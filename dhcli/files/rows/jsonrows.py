@@ -168,12 +168,23 @@ class _Object:
 
 
 def _within(row: _Object) -> list[tuple[str, Any]]:
-    """The members of a row; `"q": {...}` holds the joints where dhcli has written it, a position where they lead."""
+    """The members of a row; `"q": {...}` holds the joints where dhcli has written it, a position where they lead.
+
+    A joint state of ROS has names in one list and their positions in another, beside what nobody asks for.
+    """
+    found = dict(row.pairs)
+    names, values = found.get("name"), found.get("position")
+    if isinstance(names, list) and isinstance(values, list) and _are_names(names, len(values)):
+        return [*zip(names, values, strict=True)]
     pairs, is_nested = list[tuple[str, Any]](), any(_is_joints(name, value) for name, value in row.pairs)
     for name, value in row.pairs:
         if not (is_nested and name == "position"):
             pairs += value.pairs if _is_joints(name, value) else [(name, value)]
     return pairs
+
+
+def _are_names(names: list[Any], count: int) -> bool:
+    return len(names) == count and all(isinstance(name, str) for name in names)
 
 
 def _is_joints(name: str, value: object) -> bool:

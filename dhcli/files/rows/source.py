@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import os
 import stat
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import BinaryIO
 
 from dhcli.errors import FileError, Place, Problem
-from dhcli.files.reading import decode, explain, source_of
+from dhcli.files.reading import decode, explain, source_of, standard_input
 
 PIECE = 1 << 18
 """Most bytes of one piece, and of one line [B]: some thousand rows, which keeps memory small and numpy busy."""
@@ -72,10 +71,7 @@ def open_source(path: str) -> Iterator[Source]:
     """
     name = source_of(path)
     if path == "-":
-        stream: BinaryIO | None = getattr(sys.stdin, "buffer", None)
-        if stream is None or stream.closed:
-            raise FileError(Problem("cannot be read", Place(name), "name a file instead of -"))
-        yield Source(path, stream)
+        yield Source(path, standard_input())
         return
     try:
         opened = open(path, "rb")  # noqa: SIM115  closed below; what fails there is not explained as this is

@@ -119,8 +119,9 @@ def read_yaml(
         if not is_foreign:
             _refuse_foreign(text, source)
         raise FileError([*builder.problems, explain_syntax(error, builder.lines, builder.place)]) from None
-    if not is_foreign and not (isinstance(root, PlacedMapping) and "format" in {key.text for key, _ in root.entries}):
-        _refuse_foreign(text, source)
+    keys = {key.text for key, _ in root.entries} if isinstance(root, PlacedMapping) else frozenset[str]()
+    if not is_foreign and "format" not in keys:
+        _refuse_foreign(text, source, has_keys=bool(keys))
     if refused is not None:
         refused += builder.problems
     elif builder.problems:
@@ -128,11 +129,15 @@ def read_yaml(
     return root
 
 
-def _refuse_foreign(text: str, source: str) -> None:
-    """Say so if a text that is no file of dhcli's is a URDF, a table or another form that can become one."""
-    from dhcli.files.foreign.forms import form_of, told  # most files are what they should be
+def _refuse_foreign(text: str, source: str, *, has_keys: bool = False) -> None:
+    """Say so if a text that is no file of dhcli's is a URDF, a table or another form that can become one.
 
-    if (form := form_of(text)) is not None:
+    What has keys is no table and no listing, whatever stands in its comments.
+    """
+    from dhcli.files.foreign.forms import Form, form_of, told  # most files are what they should be
+
+    form = form_of(text)
+    if form is not None and not (has_keys and form in (Form.TABLE, Form.LISTING)):
         raise FileError(told(form, source))
 
 

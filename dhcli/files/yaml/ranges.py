@@ -49,7 +49,7 @@ def read_variants(
         key = next((own for own in known if canonical(own) == canonical(written)), written)
         if key not in known:
             message = f"variants: {key} is neither a joint nor a parameter of the robot, nor given"
-            fields.problems.add(name.place, message, did_you_mean(key, known))
+            fields.problems.add(name.place, message, did_you_mean(key, tuple(dict.fromkeys(known))))
         elif (range_ := read_range(fields.problems, node, key, is_angle=is_angle(key), unit=unit(key))) is not None:
             variants[key] = range_
     return variants

@@ -69,7 +69,8 @@ def read_value(  # noqa: PLR0913  what may be said of a value
         return to_angle(expr if remarks is None else taken_exactly(expr, key, remarks), bare="refuse")
     except NotationError as error:
         if other := _OTHER_UNIT.fullmatch(scalar.text):
-            problems.add(scalar.place, f"{key}: {other['unit']} is no unit of an angle or a length", _MOVING)
+            hint = "a share is a number: write 1/2 or 0.5" if other["unit"] == "%" else _MOVING
+            problems.add(scalar.place, f"{key}: {other['unit']} is no unit of an angle or a length", hint)
         else:
             problems.take(error)
     except DimensionError as error:

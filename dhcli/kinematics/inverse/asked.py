@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhcli.errors import RobotError
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.forward import Given, forward
@@ -17,7 +16,7 @@ from dhcli.kinematics.inverse.answering import answer
 from dhcli.kinematics.inverse.question import Question, ask
 from dhcli.kinematics.inverse.searching import find, nearest_to
 from dhcli.kinematics.inverse.solutions import Solutions
-from dhcli.kinematics.inverse.targets import EXACT, read_targets
+from dhcli.kinematics.inverse.targets import read_target
 from dhcli.kinematics.inverse.tasks import TaskName
 from dhcli.kinematics.inverse.trying import CONFIRMED
 from dhcli.kinematics.inverse.turns import placed
@@ -94,13 +93,8 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
     )
     question = replace(question, standing=standing)
     ready = question.ready
-    poses, changed = read_targets(T, ready.task)
-    if len(poses) != 1:
-        raise RobotError(f"one pose is wanted, not {len(poses)}", "inverse_batch takes many")
-    goal = ready.arm.goal(poses)[0]
-    remarks = []
-    if changed > EXACT:
-        remarks.append(f"the direction cosines were no rotation; the nearest one was taken, {changed:.2g} away")
+    pose, remarks = read_target(T, ready.task)
+    goal = ready.arm.goal(pose[None])[0]
     nearest = cache(lambda: nearest_to(ready, goal, held))
     solved, said = find(question, goal, held, family, tolerance, nearest)
     found = answer(question, solved, said)
@@ -108,7 +102,7 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
     if not len(found):
         from dhcli.kinematics.inverse.unreached import why_not  # not for the poses that are reached
 
-        found = why_not(ready, found, poses[0], held, nearest(), question.values)
+        found = why_not(ready, found, pose, held, nearest(), question.values)
         return replace(found, closest=_easiest(question, found, held, tolerance))
     result = placed(found, question.near, within_limits=within_limits, all_turns=all_turns)
     if len(result) or not said or family:

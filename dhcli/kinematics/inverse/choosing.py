@@ -29,7 +29,8 @@ def chosen(arm: Arm, task: Task, asked: tuple[int, ...]) -> Kept:
     """
     spare = arm.joints - rank(arm, task)
     fallback: Kept | None = None
-    for more in islice(_choices(arm, task, asked, spare), _CHOICES):
+    missing = arm.joints - len(asked) - rank(arm, task, asked, at_zero=False)
+    for more in islice(_choices(arm, task, asked, missing), _CHOICES):
         try:
             plan = find_plan(arm, (*asked, *more))
         except NoPlanError:
@@ -39,34 +40,33 @@ def chosen(arm: Arm, task: Task, asked: tuple[int, ...]) -> Kept:
         fallback = fallback or Kept(plan, spare)
     if fallback is None:
         names = ", ".join(axis.name for axis in arm.axes[: arm.joints])
-        hint = f"hold {plural(spare - len(asked), 'joint')} more of them" if spare > len(asked) else ""
+        hint = f"hold {plural(missing, 'joint')} more of them" if missing else ""
         raise RobotError(f"no way was found to compute {names} from the {task.words} of the end", hint)
     return fallback
 
 
-def _choices(arm: Arm, task: Task, asked: tuple[int, ...], spare: int) -> Iterator[tuple[int, ...]]:
+def _choices(arm: Arm, task: Task, asked: tuple[int, ...], missing: int) -> Iterator[tuple[int, ...]]:
     """Which further joints to hold; none of the sets that leave the arm short of the task where the joints held are 0.
 
     Of an arm that only has to point, the first joints are held, for its wrist points; else the last ones.
     """
-    missing = max(spare - len(asked), 0)
     others = [j for j in range(arm.joints) if j not in asked]
     if task.place:
         others.reverse()
-    wanted = arm.joints - spare
+    wanted = arm.joints - len(asked) - missing
     doubtful = []
     for more in combinations(others, missing):
-        if len(asked) > spare or rank(arm, task, (*asked, *more)) == wanted:
+        if not more or rank(arm, task, (*asked, *more)) == wanted:
             yield more
         else:
             doubtful.append(more)
     yield from doubtful
 
 
-def rank(arm: Arm, task: Task, held: tuple[int, ...] = ()) -> int:
-    """How many conditions the joints can meet in an ordinary pose, those held left out."""
+def rank(arm: Arm, task: Task, held: tuple[int, ...] = (), *, at_zero: bool = True) -> int:
+    """How many conditions the joints can meet in an ordinary pose, those held left out: at 0, or anywhere."""
     motions = 2.6 * spread(3, arm.joints, 7) - 1.3
-    motions[:, list(held)] = 0
+    motions[:, list(held)] *= not at_zero
     _, slope = jacobian(arm, task, motions)
     slope[:, :, list(held)] = 0
     sizes = np.linalg.svd(slope, compute_uv=False)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhcli.errors import RobotError, plural
+from dhcli.errors import plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.frames import between, ends
@@ -29,9 +29,9 @@ from dhcli.kinematics.inverse.solutions import (
     shown_value,
     turning_joints,
 )
-from dhcli.kinematics.inverse.targets import EXACT, read_targets
+from dhcli.kinematics.inverse.targets import read_target
 from dhcli.kinematics.inverse.tasks import for_task, task_called
-from dhcli.kinematics.inverse.turns import limits_of, outside
+from dhcli.kinematics.inverse.turns import at_rest, limits_of, outside
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.values import joint_values, numbers, parameter_values
 from dhcli.notation.angle import Angle
@@ -129,10 +129,8 @@ class Leading:
             begun: Values of the robot's variables that may be near to a solution, shape (K, n).
         """
         robot, driven, at = self.carried.robot, self.driven, list(self.columns)
-        poses, changed = read_targets(T, driven.task)
-        if len(poses) != 1:
-            raise RobotError(f"one pose is wanted, not {len(poses)}", "inverse_batch takes many")
-        goal = driven.arm.goal(poses)[0]
+        pose, said = read_target(T, driven.task)
+        goal = driven.arm.goal(pose[None])[0]
         best = self._best(asked["near"])
         stood = np.array([standing.get(name, best[j]) for j, name in enumerate(robot.variables)])
         at_stood = stood[at] / self.units
@@ -146,8 +144,7 @@ class Leading:
             other = where_reached(driven, goal, at_stood, held, chosen, asked["tolerance"])
             found = [arrive(driven, goal, at_best, held | other, more, asked["tolerance"])] if other else found
         answer = self._answer(found, best, (*held, *chosen))
-        remarks = [f"the direction cosines were no rotation; the nearest one was taken, {changed:.2g} away"]
-        remarks = remarks if changed > EXACT else []
+        remarks = [*said]
         if chosen:
             names = ", ".join(robot.variables[at[j]] for j in sorted(chosen))
             if len(answer) and not asked.get("family"):
@@ -168,9 +165,9 @@ class Leading:
         Newton's steps come to rest where the pose is nearest if it is near, and anywhere if it is not.
         """
         driven, at = self.driven, list(self.columns)
-        poses, _ = read_targets(T, driven.task)
+        pose, _ = read_target(T, driven.task)
         held = self._asked_to_hold(asked)
-        x, left, _ = driven.led(driven.begun(held), driven.arm.goal(poses)[0], tuple(held), asked["tolerance"])
+        x, left, _ = driven.led(driven.begun(held), driven.arm.goal(pose[None])[0], tuple(held), asked["tolerance"])
         if not left.min() < _NEARLY:
             return None
         alike = np.flatnonzero(left <= left.min() * (1 + _SAME))
@@ -190,18 +187,14 @@ class Leading:
     def what_keeps(self, T: ArrayLike | Pose[float]) -> str:  # noqa: N803
         """What no pose of the arm has and this one would need; empty where that is not known."""
         arm, task = self.driven.arm, self.driven.task
-        poses, _ = read_targets(T, task)
-        kept = what_never_changes(arm, task, poses[0], self.driven.mix, self.driven.zero)
-        return "; ".join(list(kept) or too_far(arm, task, arm.goal(poses)[0]))
+        pose, _ = read_target(T, task)
+        kept = what_never_changes(arm, task, pose, self.driven.mix, self.driven.zero)
+        return "; ".join(list(kept) or too_far(arm, task, arm.goal(pose[None])[0]))
 
     def _best(self, near: Any) -> Array:  # noqa: ANN401  whatever form joint values have
         """Where variables should stand: near, else at 0 or in the middle of their limits, shape (n,)."""
         robot = self.carried.robot
-        if near is not None:
-            return np.asarray(in_numbers(robot, near))
-        low, high = limits_of(robot).T
-        with np.errstate(invalid="ignore"):
-            return np.nan_to_num(np.where((low <= 0) & (high >= 0), 0.0, (low + high) / 2))
+        return at_rest(robot) if near is None else np.asarray(in_numbers(robot, near))
 
     def _held(self, chosen: tuple[int, ...], best: Array, family: int | None) -> list[list[float]]:
         """Values of the variables that are held without having been asked for."""

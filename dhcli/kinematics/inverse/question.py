@@ -15,7 +15,7 @@ from dhcli.kinematics.inverse.prepared import Prepared, prepare
 from dhcli.kinematics.inverse.solutions import held_values, in_numbers
 from dhcli.kinematics.inverse.tasks import TaskName, task_called
 from dhcli.kinematics.inverse.trying import CONFIRMED
-from dhcli.kinematics.inverse.turns import limits_of
+from dhcli.kinematics.inverse.turns import at_rest
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import JointInput, joint_values, numbers, parameter_values, require, size
 from dhcli.notation.angle import Angle
@@ -72,12 +72,7 @@ class Question:
     def _wished(self) -> Array:
         if self.near is not None:
             return self.motions(self.near)
-        limits = limits_of(self.robot)
-        low, high = limits[:, 0], limits[:, 1]
-        zero = (low <= 0) & (high >= 0)
-        with np.errstate(invalid="ignore"):
-            middle = np.where(zero, 0.0, (low + high) / 2)
-        return self.motions(np.nan_to_num(middle))
+        return self.motions(at_rest(self.robot))
 
 
 def stands(q: Mapping[str, float], names: Sequence[str], standing: Mapping[str, float]) -> str:

@@ -51,6 +51,19 @@ def read_targets(given: ArrayLike | Pose[float], task: Task) -> tuple[Array, flo
     return _orthonormal(poses) if task.directions else (_without_turn(poses), 0.0)
 
 
+def read_target(given: ArrayLike | Pose[float], task: Task) -> tuple[Array, tuple[str, ...]]:
+    """One pose as a matrix, shape (4, 4), and what has to be said of how it was taken.
+
+    Raises:
+        RobotError: It is none, or several.
+    """
+    poses, changed = read_targets(given, task)
+    if len(poses) != 1:
+        raise RobotError(f"one pose is wanted, not {len(poses)}", "inverse_batch takes many")
+    said = f"the direction cosines were no rotation; the nearest one was taken, {changed:.2g} away"
+    return poses[0], (said,) if changed > EXACT else ()
+
+
 def _as_poses(array: Array, task: Task) -> Array:
     shape = array.shape
     if shape[-2:] == (4, 4) and array.ndim in {2, 3}:

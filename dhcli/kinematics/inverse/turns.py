@@ -47,6 +47,13 @@ def limits_of(robot: Robot) -> Array:
     return result
 
 
+def at_rest(robot: Robot) -> Array:
+    """Where joints that may be chosen stand if nothing is said: at 0, or in the middle of their limits, shape (n,)."""
+    low, high = limits_of(robot).T
+    with np.errstate(invalid="ignore"):
+        return np.nan_to_num(np.where((low <= 0) & (high >= 0), 0.0, (low + high) / 2))
+
+
 def placed(
     answer: Solutions,
     near: Array | None,

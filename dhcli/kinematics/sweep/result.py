@@ -54,6 +54,11 @@ class Sweep:
     sides: Mapping[str, Extreme]
     warnings: tuple[str, ...] = ()
 
+    def __repr__(self) -> str:
+        """One line, as the prompt shows it."""
+        target, reach = self.target, f"{self.nearest.distance:.4g} to {self.farthest.distance:.4g} m"
+        return f"<Sweep of {target.robot.name}: {self.grid.count:,} poses, {reach} from frame {target.view.start}>"
+
     @property
     def box(self) -> tuple[tuple[float, float], ...]:
         """The least and the greatest x, y and z [m]."""

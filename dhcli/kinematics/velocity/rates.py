@@ -56,6 +56,13 @@ class Rates:
     idle: tuple[tuple[float, ...], ...]
     view: MotionView
 
+    def __repr__(self) -> str:
+        """One line, as the prompt shows it: radians and metres a second."""
+        rates = ", ".join(
+            f"{name}' = {round(rate, 4) + 0:g}" for name, rate in zip(self.joints, self.values, strict=True)
+        )
+        return f"<Rates {rates}{'' if self.is_reached else '; the velocity is not reached'}>"
+
     @property
     def is_reached(self) -> bool:
         """Whether the rates give the velocity that was asked for."""

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from dhcli.errors import plural
-from dhcli.lint.files import Linted, Told
+from dhcli.lint.files import Linted
+from dhcli.lint.one_file import Told
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.problems import shown_below

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from typing import Any
 
 from dhcli.checking.credit import plain
@@ -11,7 +11,6 @@ from dhcli.checking.earning import worth
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.judge import MISPRINT, is_explained
 from dhcli.checking.marked import PartMark, SheetMark
-from dhcli.checking.returned import Shown
 from dhcli.checking.verdicts import HALF_TURN_OFF, CellMark, Mark, Verdict
 from dhcli.errors import plural
 from dhcli.render.code.matrices import csv_line
@@ -120,18 +119,6 @@ def question_text(
     lines += [line for note in notes for line in prose_lines(note, paper)]
     for n, option in enumerate(part.question.statements, 1):
         lines += prose_lines(option, paper, f"  {n}: ", "     ")
-    return "\n".join(lines) + "\n"
-
-
-def solution_text(exercise: Exercise, part: Part, steps: Iterable[Shown], paper: Paper) -> str:
-    """The steps of a solution, each matrix under what it is."""
-    from dhcli.render.text.matrix import matrix_lines
-
-    lines = [question_text(exercise, part, paper, whole=True).rstrip("\n")]
-    for step in steps:
-        lines += ["", *(line for text in step.text.splitlines() for line in prose_lines(text, paper))]
-        if step.rows:
-            lines += matrix_lines(step.rows, exercise.writing, Look(paper=paper))
     return "\n".join(lines) + "\n"
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-import textwrap
 from collections.abc import Iterator
 from typing import Any
 
 from dhcli.errors import plural
+from dhcli.files.yaml.prose import folded
 from dhcli.kinematics.conventions import LETTERS, NAMES, ORDER, Convention
 from dhcli.kinematics.moves import Chain, angle_names, expressions, spelled
 from dhcli.kinematics.robot import Joint, Link, Robot
@@ -18,6 +18,7 @@ from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.motors import actuators_content
+from dhcli.render.text.prose import WIDEST
 from dhcli.render.text.quantities import in_degrees, in_units
 from dhcli.render.text.table import Inked, table_text
 from dhcli.safe import csv_cell, latex
@@ -26,8 +27,6 @@ _BESIDES = 12
 """Columns of a table of products besides those of products and joints: numbers, gaps, a `*` at the end of a line."""
 _LEAST = 20
 """Columns that a product has, however narrow the terminal is."""
-_PROSE = 96
-"""Columns at which notes are folded at most; longer lines are hard to read."""
 
 
 def heads(robot: Robot) -> tuple[str, ...]:
@@ -235,15 +234,5 @@ def _product(robot: Robot, chain: Chain) -> str:
 
 
 def _prose(name: str, text: str, paper: Paper) -> str:
-    return f"{paper.ink(name, 'bold')}\n" + "".join(f"  {line}\n" for line in _folded(text, paper))
-
-
-def _folded(text: str, paper: Paper) -> Iterator[str]:
-    """Paragraphs folded to the paper; a line that is indented or begins with a dash stays one of its own."""
-    width = min(paper.width - 2, _PROSE)
-    paragraph = ""
-    for line in [*text.strip().split("\n"), ""]:
-        if not line.strip() or line.startswith((" ", "-", "*")):
-            yield from textwrap.wrap(paper.spell(paragraph), width, break_long_words=False, break_on_hyphens=False)
-            paragraph = ""
-        paragraph = f"{paragraph} {line}" if paragraph else line
+    spelled = "\n".join(map(paper.spell, text.strip().split("\n")))
+    return "\n".join([paper.ink(name, "bold"), *folded(spelled, min(paper.width, WIDEST), "  ", "  "), ""])

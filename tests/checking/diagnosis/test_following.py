@@ -236,3 +236,39 @@ def test_what_the_motion_of_a_wrong_table_is_keeps_its_credit(asked: str, *, num
     assert mark.diagnosis.follows == ("table",)
     alone = mark_sheet(here, {"then": answers["then"]}).parts[-1].mark
     assert alone.earned < 1
+
+
+@pytest.mark.parametrize("first", ["pose 0..2", "position of pose 0..2"])
+@pytest.mark.parametrize(
+    ("then", "answer"),
+    [
+        ("jacobian linear of 0..2", "[a1*c1 + a2*c12, a2*c12; -a1*s1 - a2*s12, -a2*s12; 0, 0]"),
+        ("determinant of jacobian linear of 0..2", "a1*a2*(s1*c12 - c1*s12)"),
+        ("column 1 of jacobian of 0..2", "a1*c1 + a2*c12, -a1*s1 - a2*s12, 0, 0, 0, 1"),
+        ("torques for (1, 0, 0) of 0..2", "a1*c1 + a2*c12, a2*c12"),
+    ],
+)
+def test_a_jacobian_differentiated_from_a_wrong_position_keeps_its_credit(first: str, then: str, answer: str) -> None:
+    """With sines and cosines changed about in the position, derivatives have the signs of that position."""
+    robot = load_robot("planar-2r")
+    parts = (
+        Part("where", read_question(first, robot.scope)),
+        Part("then", read_question(then, robot.scope), depends=("where",)),
+    )
+    exercise = Exercise("e", "", "", "", parts, robot)
+    place = ["a1*s1 + a2*s12", "a1*c1 + a2*c12", "0"]
+    turn = ["s12, c12, 0", "-c12, s12, 0", "0, 0, 1"]
+    pose = "[" + "; ".join(f"{r}, {x}" for r, x in zip(turn, place, strict=True)) + "; 0, 0, 0, 1]"
+    mark = last_mark(exercise, pose if first.startswith("pose") else ", ".join(place), answer)
+    assert (mark.verdict, mark.earned) == (Verdict.WRONG, 1)
+    assert mark.diagnosis is not None
+    assert mark.diagnosis.follows == ("where",)
+
+
+def test_a_position_that_is_right_gives_no_credit_for_a_wrong_jacobian() -> None:
+    """Nor does a wrong one for a Jacobian that is not its own."""
+    exercise = chained("position of pose 0..3", "jacobian linear of 0..3")
+    right, wrong = expected(exercise, exercise.parts[0]), answer_with(exercise, exercise.parts[0], "a-forgotten 3")
+    jacobian = answer_with(exercise, exercise.parts[1], "cosine-sign")
+    assert last_mark(exercise, right, jacobian).earned < 1
+    assert last_mark(exercise, wrong, jacobian).earned < 1

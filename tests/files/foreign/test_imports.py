@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from fractions import Fraction
 from pathlib import Path
@@ -357,6 +358,29 @@ def test_limits_and_what_says_nothing_of_links_stand_in_tables_of_makers() -> No
     assert gap(robot, [0.3, 0.5, 0.05], expected) < 1e-15
 
 
+def test_units_of_bare_numbers_may_be_said_beside_the_file() -> None:
+    """Of lengths, of angles, or of both; what has its own unit keeps it, and so does the offset of a slide."""
+    text = "a,alpha,d,theta,offset,lower,upper\n400,90,0.1 m,q1,45,-90,pi/2\n0,0,q2,0,50,0,200\n"
+    robot = imported(text, convention="standard", units="mm,deg")
+    expected = standard(0.3 + math.pi / 4, 0.1, 0.4, math.pi / 2) @ shift(0, 0, 0.15)
+    assert gap(robot, [0.3, 0.1], expected) < 1e-15
+    assert [tuple(map(value_text, pair)) for pair in robot.limits.values()] == [("-90°", "90°"), ("0 m", "0.2 m")]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '[{"a": 0.4, "alpha": 90, "d": 0, "theta_offset": 45}, {"a": 0.3, "alpha": 0, "d": 0, "theta_offset": 0}]',
+        "a,alpha,d,offset\n0.4,90,0,45\n0.3,0,0,0\n",
+    ],
+)
+def test_an_offset_alone_stands_in_the_place_of_theta(text: str) -> None:
+    """The variable, which is not written, is added to it."""
+    robot = imported(text, convention="standard", units="deg", joints="RR")
+    expected = standard(0.3 + math.pi / 4, 0, 0.4, math.pi / 2) @ standard(0.5, 0, 0.3, 0)
+    assert gap(robot, [0.3, 0.5], expected) < 1e-15
+
+
 @pytest.mark.parametrize(
     "text", ["a,alpha,d,theta\n0.4,1.5708 rad,0,q1\n", "L(1) = Link([0 0 0.4 1.5708]);\nr = SerialLink(L);\n"]
 )
@@ -420,6 +444,14 @@ def test_rows_with_keys_are_refused_at_their_place(text: str, said: str) -> None
     assert said in str(caught.value)
 
 
+def test_json_that_is_broken_is_told_where_its_name_promises_json() -> None:
+    """Elsewhere a text may be anything."""
+    with pytest.raises(FileError, match=r"arm.json:1:1: this '{' is never closed"):
+        import_robot('{"a": 1', "arm.json", Wish("arm", "standard"))
+    with pytest.raises(FileError, match="none of the forms"):
+        imported('{"a": 1', convention="standard")
+
+
 def test_rows_with_keys_say_no_convention_either() -> None:
     """Unless their file speaks of one."""
     with pytest.raises(FileError, match=r"the text above it says modified"):
@@ -451,7 +483,17 @@ def test_rows_of_numbers_get_the_joints_that_are_said() -> None:
         ("a,alpha,d,theta\n1,0,0,0\n", {"convention": "standard", "joints": "RR"}, "1 row, and --joints RR"),
         ("a,alpha,d,theta,type\n1,0,0,0,ball\n", {"convention": "standard"}, "'ball' is no kind of joint"),
         ("a,alpha,d,theta\n1,0,0,q1\n", {"convention": "standrad"}, "did you mean standard"),
-        ("a,alpha,d,theta\n1,0,0,q1\n", {"convention": "standard", "units": "mn"}, "mn is no unit of length"),
+        (
+            "a,alpha,d,theta\n1,0,0,q1\n",
+            {"convention": "standard", "units": "mn"},
+            "mn is no unit of lengths or angles",
+        ),
+        (
+            "a,alpha,d,theta\n1,0,0,q1\n",
+            {"convention": "standard", "units": "mm,cm"},
+            "mm,cm are two units of one kind",
+        ),
+        (ARM_URDF, {"units": "deg"}, "angles of a URDF are in radians, not in deg"),
         ("a,alpha,d,theta\n1,0,0,q1\n", {"convention": "standard", "tip": "t"}, "only a URDF has links"),
         (ARM_URDF, {"units": "mm"}, "lengths of a URDF are in metres, not in mm (divide them in the file"),
         (
@@ -529,6 +571,8 @@ def test_a_urdf_is_written_as_products_or_as_a_table() -> None:
         ("text\n\n| i | a_i | α_i | d_i | θ_i |\n", Form.TABLE),
         ("r = SerialLink([0 0 1 0]);", Form.LISTING),
         ("joint:\n  x: 0\n  roll: 1\n  yaw: 2\n", Form.KINEMATICS),
+        ('{\n  "dhcli": 1,\n  "command": "show"', Form.RESULT),
+        ('{"links": [{"dhcli": 1}]}', None),
         ("format: 1\ntitle: t\n", None),
         ("a, b, c, d\n1, 2, 3, 4\n", None),
         ("My links: see Link (3)", None),
@@ -538,6 +582,16 @@ def test_a_urdf_is_written_as_products_or_as_a_table() -> None:
 def test_a_file_is_told_by_how_it_begins(text: str, form: Form | None) -> None:
     """And nothing is taken for what it is not."""
     assert form_of(text) is form
+
+
+def test_a_result_for_programs_is_no_table() -> None:
+    """Its rows are there without the lengths, the limits and what stands still."""
+    content = {"convention": "modified", "links": [{"a": "0", "alpha": "0", "d": "d_f", "theta": "0"}]}
+    text = json.dumps({"dhcli": 1, "command": "show", "ok": True, "data": content, "problems": []}, indent=2)
+    with pytest.raises(
+        FileError, match=r"this is a result for programs.*dhcli describe ROBOT --as standard -o arm.yaml"
+    ):
+        imported(text, convention="modified")
 
 
 def test_looking_at_a_file_takes_no_longer_than_its_length() -> None:

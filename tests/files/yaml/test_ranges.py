@@ -113,3 +113,12 @@ def test_all_bad_ranges_are_told_at_once() -> None:
     with pytest.raises(FileError) as caught:
         read("{theta1: 20..70 step 5°, x: 1..2 step 1, d3: 2..1 step 1}")
     assert len(caught.value.problems) == 4
+
+
+def test_each_name_that_may_vary_is_told_once() -> None:
+    """One that is given is one of the robot's, too."""
+    with pytest.raises(FileError) as caught:
+        read("{q: [1 m]}")
+    (hint,) = (problem.hint for problem in caught.value.problems)
+    known = hint.removeprefix("known: ").split(", ")
+    assert len(set(known)) == len(known) > 3

@@ -128,6 +128,14 @@ def test_a_robot_below_a_key_of_its_own_is_told_in_one_line() -> None:
     ]
 
 
+@pytest.mark.parametrize("comment", ["# a, alpha, d, theta", "# its columns: a, alpha, d, theta", "# Link([0 1 2 3])"])
+def test_a_comment_makes_no_table_of_a_robot(comment: str) -> None:
+    """That lacks its first line: this is told, and not that it is a file of others."""
+    with pytest.raises(FileError) as caught:
+        read_robot(ARM.replace("format: 1", comment), "arm", "arm")
+    assert [problem.message for problem in caught.value.problems] == ["format: is missing"]
+
+
 def test_joints_for_variables_make_no_linkage_of_a_robot(tmp_path: Path) -> None:
     """A file with a convention is one of a robot."""
     path = tmp_path / "arm.yaml"

@@ -190,6 +190,16 @@ def test_no_arm_at_right_angles_loses_its_own_joint_values() -> None:
     assert not lost
 
 
+def test_a_joint_of_a_family_may_be_held_beside_joints_to_spare() -> None:
+    """As one is told to: theta5 and theta6 turn about one axis, and with theta1 held they still do."""
+    robot = drawn("modified", "0 0 0 theta, -90 0 0 theta, 90 0 .3 theta, 90 .4 .2 theta, -90 .2 0 theta, 0 0 .2 theta")
+    pose = forward(robot, [0, 0, HALF, 0.4, 0.7, 0])
+    (ways,) = {row.joint for rows in inverse(robot, pose).free for row in rows}
+    found = inverse(robot, pose, hold={ways: 0.25})
+    assert dict(found.held).keys() == {ways, "theta6"}
+    assert found.distances([0.25, 0, HALF - 0.25, 0.4, 0.7, 0]).min() < 1e-9
+
+
 def test_a_joint_read_off_alone_does_not_keep_the_others_from_being_found() -> None:
     """Two pairs of parallel axes and a slide: behind theta6 no three joints follow from two others, with it they do."""
     rows = "0 0.1 0 theta, -60 0.2 0.3 theta, 30 0 d 90°, 0 0.2 0.3 theta, 90 0.2 0.3 theta, 60 0 0 theta"

@@ -216,3 +216,9 @@ def test_more_joints_than_an_array_has_axes_are_swept() -> None:
     assert found.grid.count == 27
     assert found.farthest.distance == pytest.approx(4.0)
     assert found.nearest.distance < 4.0
+
+
+def test_a_sweep_shows_itself_in_a_line() -> None:
+    """How many poses, and how far they reach."""
+    found = ask(load_robot("planar-2r"), {"theta1": "0..90° n 1001", "theta2": "0..180° n 3"})
+    assert repr(found) == "<Sweep of planar-2r: 3,003 poses, 0.1 to 0.7 m from frame 0>"

@@ -234,3 +234,10 @@ def test_vectors_and_points_may_be_arrays() -> None:
     assert np.array_equal(jacobian(robot, q, point=v), jacobian(robot, q, point=(1, 2, 3)))
     arm = load_robot("planar-2r")
     assert singularities(arm, point=np.array([0.1, 0, 0])) == singularities(arm, point=(0.1, 0, 0))
+
+
+def test_rates_show_themselves_in_a_line() -> None:
+    """With a word where they do not give the velocity."""
+    arm = load_robot("planar-2r")
+    assert repr(joint_rates(arm, [0.3, 0.5], (0.1, 0, 0))) == "<Rates theta1' = 0.3633, theta2' = -1.0275>"
+    assert repr(joint_rates(arm, [0, 0], (0.1, 0, 0))).endswith("theta2' = 0; the velocity is not reached>")
