@@ -11,6 +11,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.checking.blanks import refuse_one_expression
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.named import XYZ, in_order
+from dhcli.checking.orientations import IN_PLANE
 from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, refuse_long, without_label, without_words
 from dhcli.checking.truth import is_length, names_of
 from dhcli.checking.units import has_length_unit, length_in_metres
@@ -142,7 +143,14 @@ def _shaped(question: Wanted, cells: tuple[tuple[Cell, ...], ...], text: str) ->
             return tuple((cell,) for cell in flat)
     if shape == wanted:
         return cells
-    raise UnreadableError(*filter(None, (_shape_remark(question, shape), comma_remark(text))))
+    said = IN_PLANE if question.piece == "pose" and _is_in_plane(cells) else _shape_remark(question, shape)
+    raise UnreadableError(*filter(None, (said, comma_remark(text))))
+
+
+def _is_in_plane(cells: tuple[tuple[Cell, ...], ...]) -> bool:
+    """Whether a matrix is 3x3 with the bottom row of a pose, and a position above that."""
+    rows = [[cell.expr for cell in row] for row in cells]
+    return [len(row) for row in rows] == [3, 3, 3] and rows[2] == [ZERO, ZERO, ONE] and rows[0][2] != ZERO != rows[1][2]
 
 
 def _shape_remark(question: Wanted, shape: tuple[int, int]) -> str:

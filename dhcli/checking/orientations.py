@@ -13,6 +13,10 @@ Matrix: TypeAlias = Sequence[Sequence[float]]
 LEAST_SLACK = 4e-3
 """What is allowed where entries were typed exactly: four times the tolerance of an entry."""
 
+BOTTOM_IN_PLANE = (0, 0, 1)
+IN_PLANE = "this looks like a pose in the plane, the position in column 3: in space a pose is 4x4, a rotation 3x3"
+"""What is said of the homogeneous matrices, shape (3, 3), of courses that stay in the plane."""
+
 AXIS_KNOWN = 1e-2
 """Sine below which a turn has no axis to speak of, and how near to a coordinate axis it is called that."""
 
@@ -27,6 +31,8 @@ def not_orthonormal(rotation: Matrix, slack: float = LEAST_SLACK) -> str:
     columns = list(zip(*rotation, strict=True))
     for i, column in enumerate(columns):
         length = math.sqrt(sum(x * x for x in column))
+        if abs(length - 1) > slack and i == 2 and tuple(rotation[2]) == BOTTOM_IN_PLANE:  # noqa: PLR2004  the last
+            return IN_PLANE
         if abs(length - 1) > slack:
             return f"this is no rotation: column {i + 1} has length {length:.4g}, not 1"
     for i in range(3):

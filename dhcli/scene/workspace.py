@@ -36,7 +36,7 @@ SEAM = 0.3
 
 TICKS = 4
 
-MOST, FEWEST, HOLES = 64, 16, 0.04
+MOST, FEWEST, HOLES = 64, 16, 0.03
 """Cells on a side at the most and at the least; and empty ones between full ones, in parts of these, from which cells
 are made larger: then they are finer than the grid of poses."""
 
@@ -57,12 +57,8 @@ class View(NamedTuple):
 
 def workspace_figure(staged: Staged, workspace: Workspace) -> Figure:
     """The points from the side and from above, with axes in metres; points of a plane from where that is seen whole."""
-    views = views_of(workspace)
+    views = [view._replace(counts=_without_holes(view.counts)) for view in views_of(workspace)]
     paper = Paper(*(PANEL if len(views) > 1 else ALONE))
-    while len(views[0].counts) > MOST or (
-        len(views[0].counts) > FEWEST and max(_holes(view.counts) for view in views) > HOLES
-    ):
-        views = [view._replace(counts=_coarser(view.counts)) for view in views]
     shown = is_at_base(staged.scene, workspace)
     arm = replace(staged.scene, arrows=(), dimensions=()) if shown else None
     cameras = [_camera(view, arm, workspace, paper) for view in views]
@@ -144,6 +140,13 @@ def _cells(view: View, half: float, camera: Camera) -> Iterator[Shape]:
                 corners = ((left, low + SEAM), (right + SEAM, low + SEAM), (right + SEAM, high), (left, high))
                 yield Shape(corners, f"density-{level}", closed=True)
             start, level = i, here
+
+
+def _without_holes(counts: Counts) -> Counts:
+    """Cells as small as the grid of poses fills them, seen from this side."""
+    while len(counts) > MOST or (len(counts) > FEWEST and _holes(counts) > HOLES):
+        counts = _coarser(counts)
+    return counts
 
 
 def _holes(counts: Counts) -> float:

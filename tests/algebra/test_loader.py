@@ -31,7 +31,7 @@ print(sum(kernel._LOADED.loop.stats.cache_hits.values()), float(abs(found).sum()
 @pytest.mark.skipif(find_spec("numba") is None, reason="the extra [fast] is not installed")
 def test_what_is_kept_on_disk_is_used_and_made_again_where_it_is_broken_or_old(tmp_path: Path) -> None:
     """Compiled the first time, read the second; index or code cut short, or of another numba: compiled again."""
-    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path), "OPENBLAS_NUM_THREADS": "1"}
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
 
     def run() -> tuple[int, str]:
         program = [sys.executable, "-c", PLAYED]

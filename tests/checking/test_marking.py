@@ -685,3 +685,19 @@ def test_a_misprint_does_not_give_the_right_entry_away() -> None:
     assert mark(exercise, part, part.printed.text).remarks[0] == remark
     shows = replace(exercise, shows_expected=True)
     assert mark(shows, part, part.printed.text).remarks[0] == f"{remark}, the right entry is a1*s1"
+
+
+@pytest.mark.parametrize("numeric", [True, False])
+def test_a_pose_in_the_plane_is_told_what_it_is_in_space(*, numeric: bool) -> None:
+    """The homogeneous 3x3 of courses that stay in the plane, where a rotation or a 4x4 is asked for."""
+    robot = load_robot("planar-2r")
+    values = joint_values(robot, "30°,45°") if numeric else {}
+    typed = "c12 -s12 a1*c1+a2*c12; s12 c12 a1*s1+a2*s12; 0 0 1"
+    numbers = "0.2588 -0.9659 0.4241; 0.9659 0.2588 0.4898; 0 0 1"
+    for ask, verdict in (("rotation of pose 0..2", Verdict.WRONG), ("pose 0..2", Verdict.CANNOT_READ)):
+        exercise = question_about(robot, ask, numeric=numeric, given=values)
+        judged = check(exercise, exercise.parts[0].id, numbers if numeric else typed)
+        assert judged.verdict is verdict
+        assert "looks like a pose in the plane" in judged.remarks[0]
+        turn = "0 -1 0; 1 0 0; 0 0 1"
+        assert "plane" not in str(check(exercise, exercise.parts[0].id, turn).remarks)

@@ -127,7 +127,7 @@ def command_lines() -> Iterator[tuple[str, ...]]:
         "point": ("fk", robot, "-s", "--point", "1,2,3"),
         "placement": ("fk", robot, "--pose", "home", "--as", "rpy"),
         "robot": ("show", robot),
-        "description": ("describe", robot, "--steps"),
+        "description": ("describe", robot),
         "motors": ("describe", f"./robots/m{NAME}.yaml", "--as", "motors"),
         "linkage": ("show", linkage),
         "mobility": ("dof", linkage),
@@ -158,6 +158,7 @@ def command_lines() -> Iterator[tuple[str, ...]]:
     yield from ((*solver, name) for name in kinds.formats("inverse function") if name != "json")
     yield "draw", robot, "--pose", "home"
     yield "draw", robot, "--pose", "home", "-o", f"{NAME}.svg"
+    yield "describe", robot, "--steps"
     yield "start", exercise, "-o", "-"
     yield "start", exercise, "-o", NAME
     yield "hint", exercise

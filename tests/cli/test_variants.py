@@ -129,3 +129,13 @@ def test_a_sheet_of_an_exercise_that_was_changed_since_is_not_judged(dhcli: Run)
     assert f"or dhcli start {PLANAR} --variant alice again" in done.err
     sheet.write_text("".join(line for line in text.splitlines(keepends=True) if not line.startswith("given:")), "utf-8")
     assert dhcli("check", PLANAR, SHEET, "--part", "a1").code == 0
+
+
+def test_a_name_that_an_output_cannot_hold_is_written_to_no_sheet(dhcli: Run) -> None:
+    """Without its accents it would draw other numbers, and the sheet could not be judged."""
+    done = dhcli("start", PLANAR, "--variant", "José", "-o", "-", PYTHONIOENCODING="ascii")
+    assert (done.code, done.out) == (2, "")
+    assert "another name draws other numbers" in done.err
+    assert "-o FILE.yaml" in done.err
+    assert "variant: Kim\n" in dhcli("start", PLANAR, "--variant", "Kim", "-o", "-", PYTHONIOENCODING="ascii").out
+    assert "variant: 'José'\n" in dhcli("start", PLANAR, "--variant", "José", "-o", "-").out

@@ -7,6 +7,7 @@ import math
 import pickle
 from collections.abc import Sequence
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -162,3 +163,17 @@ def test_what_is_recorded_is_bounded_over_all_robots(monkeypatch: pytest.MonkeyP
     for k in range(20):
         forward(replace(arm, name=f"other {k}"), [0.3, 0.5])
     assert len(recorded._KEPT) == 5
+
+
+def test_a_robot_that_is_loaded_again_is_the_same_until_its_file_changes(tmp_path: Path) -> None:
+    """And with it what was recorded; under another path it is a robot of its own, which says where it stands."""
+    text = (load_robot("planar-2r").path or tmp_path).read_text("utf-8")
+    path, other = tmp_path / "arm.yaml", tmp_path / "arm.yml"
+    path.write_text(text, "utf-8")
+    other.write_text(text, "utf-8")
+    first = load_robot(path)
+    assert load_robot(path) is first
+    assert load_robot(other) == first
+    assert load_robot(other).path == other
+    path.write_text(text.replace("title: ", "title: longer "), "utf-8")
+    assert load_robot(path).title == f"longer {first.title}"

@@ -130,3 +130,16 @@ def test_a_page_knows_the_sample_of_a_workspace() -> None:
     with pytest.raises(DhcliError, match="not from frame 1"):
         draw(robot, workspace=density.workspace(target)).page()
     assert "density" in draw(robot, workspace=density.workspace(target)).svg()
+
+
+def test_cells_are_as_small_as_their_own_view_has_them_full() -> None:
+    """A slide fills the side with fewer poses than two turns take above, where holes would look out of reach."""
+    _, _, seen = _swept("scara", "theta1=-130°..130° n 73", "theta2=-150°..150° n 73", "d3=0..0.18 n 73")
+    figure = draw(load_robot("scara"), workspace=seen).figure()
+    cells = [shape.points for shape in figure.shapes if shape.look.startswith("density")]
+    side, top = (
+        {round(points[0][1] - points[2][1]) for points in cells if (points[0][0] > figure.width / 2) == is_right}
+        for is_right in (False, True)
+    )
+    assert len(side) == len(top) == 1
+    assert max(top) == 2 * max(side)

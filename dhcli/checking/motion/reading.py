@@ -183,8 +183,17 @@ def _shaped(cells: tuple[tuple[Cell, ...], ...], wanted: tuple[int, int]) -> tup
         raise UnreadableError(
             f"the answer is {shape[0]}x{shape[1]}; {wanted[0]} rows and {wanted[1]} columns were asked"
         )
-    half = ": half of its rows are missing, v or ω" if shape == (wanted[0] / 2, wanted[1]) else ""
-    raise UnreadableError(f"the answer is {shape[0]}x{shape[1]}; a {wanted[0]}x{wanted[1]} matrix was asked{half}")
+    rows = _about_rows(shape[0], wanted[0]) if shape[1] == wanted[1] else ""
+    raise UnreadableError(f"the answer is {shape[0]}x{shape[1]}; a {wanted[0]}x{wanted[1]} matrix was asked{rows}")
+
+
+def _about_rows(typed: int, wanted: int) -> str:
+    """What is said of rows that are too many or too few."""
+    if typed == 2 * wanted:
+        return ": the rows of v or of ω alone"
+    if wanted == 2 * typed:
+        return ": half of its rows are missing, v or ω"
+    return ": rows of zeros are rows, too" if typed < wanted else ""
 
 
 def _entry(exercise: Exercise, cell: Cell, power: int, place: tuple[int, int]) -> Entry:

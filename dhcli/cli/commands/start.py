@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shlex
+import sys
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -50,6 +51,7 @@ def start(
     from dhcli.files.yaml.exercises import load_exercise
     from dhcli.files.yaml.sheets import write_sheet
     from dhcli.render.endings import check_ending
+    from dhcli.render.paper import Paper
 
     judge = Judge(load_exercise(name))
     if class_ is not None:
@@ -62,6 +64,9 @@ def start(
     exercise = variant_of(judge, variant).exercise
     text = write_sheet(exercise)
     if output == "-":
+        if not exercise.variant.isascii() and not Paper.of(sys.stdout).unicode:
+            message = f"this output has no letters for {exercise.variant}, and another name draws other numbers"
+            raise DhcliError(message, "-o FILE.yaml writes the sheet")
         write_out(text)
         return
     check_ending(output, "yaml")

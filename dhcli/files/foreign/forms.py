@@ -14,6 +14,7 @@ LARGEST = 100_000
 
 _FIRST_TAG = regex(r"<(?![?!])\s*(?P<tag>[\w:.-]{1,60})")
 _LISTING = regex(r"\b(?:SerialLink|DHRobot|(?:DH)?Link|link|(?:Revolute|Prismatic)(?:M?DH)?)\([^\n]{0,200}[\d'=\[]")
+_RESULT = regex(r"\{\s{0,99}\"dhcli\"\s{0,9}:")
 _KINEMATICS = regex(r"^[ \t]{0,40}(?:roll|yaw)[ \t]{0,9}:|\{[^\n{}]{0,200}\broll[ \t]{0,9}:", re.MULTILINE)
 
 
@@ -28,6 +29,7 @@ class Form(Enum):
     TABLE = "a DH table as CSV, Markdown or LaTeX"
     LISTING = "a listing of a robotics toolbox"
     KINEMATICS = "a kinematics file of ROS"
+    RESULT = "a result for programs"
 
 
 _TAGS = {"robot": Form.URDF, "sdf": Form.SDF, "mujoco": Form.MJCF}
@@ -42,6 +44,7 @@ _HINTS = {
     Form.TABLE: "dhcli new robot --from {file} --convention standard makes a robot file of it",
     Form.LISTING: _IMPORTED,
     Form.KINEMATICS: _IMPORTED,
+    Form.RESULT: "a robot file has all of it: dhcli describe ROBOT --as standard -o arm.yaml",
 }
 
 
@@ -50,6 +53,8 @@ def form_of(text: str) -> Form | None:
     start = text[:LARGEST].lstrip("\ufeff \t\r\n")
     if start.startswith("<") and not start.startswith("<<"):
         return _xml(start)
+    if _RESULT.match(start):
+        return Form.RESULT
     if _KINEMATICS.search(start) and "format:" not in start:
         return Form.KINEMATICS
     if heads_of(start) is not None:

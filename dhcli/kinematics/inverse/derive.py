@@ -24,7 +24,7 @@ from dhcli.kinematics.inverse.derive_rules import (
     slide,
     squared,
 )
-from dhcli.kinematics.inverse.derive_terms import Atom, Coefficients, Knowledge, length, name_of
+from dhcli.kinematics.inverse.derive_terms import Atom, Coefficients, Knowledge, Terms, length, name_of
 from dhcli.kinematics.inverse.derive_values import poses_proved
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.notation.tree import Expr, Number, Sum, Symbol, add, multiply, negate, number
@@ -87,7 +87,7 @@ def _steps(robot: Robot, start: str, end: str, *, place_only: bool) -> tuple[Ste
     steps: list[Step] = []
     while known.unknown:
         step = _sum(known, steps) or _next(known, found, squared_ones, points, is_short=is_short)
-        if step is None:
+        if step is None or any(step.atom == one.atom for one in steps):  # nothing new is found
             return None
         steps.append(step)
         known.learn(step.atom)
@@ -107,6 +107,17 @@ def _sum(known: Knowledge, steps: Sequence[Step]) -> Step | None:
         whole = Symbol(name_of(step.atom))
         total = add(whole, *others) if factor > 0 else add(*others, negate(whole))
         return Step("SUM", ((name, 1),), (), total)
+    return _difference(known, [step.atom for step in steps if not isinstance(step.atom, str)])
+
+
+def _difference(known: Knowledge, sums: Sequence[Terms]) -> Step | None:
+    """SUM: a joint from two sums that are known, of which one has it and the other one has not."""
+    for one, other in permutations(sums, 2):
+        left = [term for term in one if term not in other]
+        if len(left) == 1 and len(one) == len(other) + 1 and left[0][0] in known.unknown and abs(left[0][1]) == 1:
+            more, less = Symbol(name_of(one)), Symbol(name_of(other))
+            first, second = (more, less) if left[0][1] > 0 else (less, more)
+            return Step("SUM", ((left[0][0], 1),), (), add(first, negate(second)))
     return None
 
 

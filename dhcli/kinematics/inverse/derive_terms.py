@@ -36,7 +36,7 @@ class Knowledge:
     def unknown_terms(self, angle: Angle) -> Terms:
         """The part of an angle that is unknown."""
         left = {name: factor for name, factor in angle.terms if name in self.unknown}
-        for known in self.sums:
+        for known in sorted(self.sums, key=len, reverse=True):  # a part of another one leaves what that has more
             if _sign(known, left):
                 for name, _ in known:
                     del left[name]

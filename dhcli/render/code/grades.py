@@ -118,8 +118,8 @@ def _test(part: PartGrade) -> dict[str, Any]:
         "output": _lines([*said, *part.remarks]),
         **_VISIBLE,
     }
-    if part.verdict.passed is not None:  # else Gradescope goes by the score
-        test["status"] = "passed" if part.verdict.passed else "failed"
+    if part.verdict.passed or (part.verdict.passed is False and part.earned < part.credit):
+        test["status"] = "passed" if part.verdict.passed else "failed"  # else Gradescope goes by the score
     return test
 
 

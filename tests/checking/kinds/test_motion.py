@@ -261,7 +261,13 @@ def test_a_question_that_cannot_be_asked_is_refused(ask: str, problem: str) -> N
 @row_by_row(
     ("ask", "answer", "remark"),
     [
-        ("jacobian linear of 0..2", "[1 2; 3 4]", "the answer is 2x2; a 3x2 matrix was asked"),
+        ("jacobian linear of 0..2", "[1 2; 3 4]", "a 3x2 matrix was asked: rows of zeros are rows, too"),
+        (
+            "jacobian linear of 0..2",
+            "1 2; 3 4; 0 0; 0 0; 0 0; 1 1",
+            "matrix was asked: the rows of v or of ω alone",
+        ),
+        ("jacobian linear of 0..2", "1 2; 3 4; 0 0; 0 0", "the answer is 4x2; a 3x2 matrix was asked"),
         ("jacobian linear of 0..2", "[1 2 3; 4 5 6]", "3 rows and 2 columns were asked"),
         ("velocity of 0..2 with rates (1, 1)", "1, 2", "2 numbers are given, 3 were asked"),
         ("jacobian of 0..2", "1 2; 3 4; 5 6", "a 6x2 matrix was asked: half of its rows are missing, v or ω"),

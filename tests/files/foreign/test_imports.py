@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from fractions import Fraction
 from pathlib import Path
@@ -570,6 +571,8 @@ def test_a_urdf_is_written_as_products_or_as_a_table() -> None:
         ("text\n\n| i | a_i | α_i | d_i | θ_i |\n", Form.TABLE),
         ("r = SerialLink([0 0 1 0]);", Form.LISTING),
         ("joint:\n  x: 0\n  roll: 1\n  yaw: 2\n", Form.KINEMATICS),
+        ('{\n  "dhcli": 1,\n  "command": "show"', Form.RESULT),
+        ('{"links": [{"dhcli": 1}]}', None),
         ("format: 1\ntitle: t\n", None),
         ("a, b, c, d\n1, 2, 3, 4\n", None),
         ("My links: see Link (3)", None),
@@ -579,6 +582,16 @@ def test_a_urdf_is_written_as_products_or_as_a_table() -> None:
 def test_a_file_is_told_by_how_it_begins(text: str, form: Form | None) -> None:
     """And nothing is taken for what it is not."""
     assert form_of(text) is form
+
+
+def test_a_result_for_programs_is_no_table() -> None:
+    """Its rows are there without the lengths, the limits and what stands still."""
+    content = {"convention": "modified", "links": [{"a": "0", "alpha": "0", "d": "d_f", "theta": "0"}]}
+    text = json.dumps({"dhcli": 1, "command": "show", "ok": True, "data": content, "problems": []}, indent=2)
+    with pytest.raises(
+        FileError, match=r"this is a result for programs.*dhcli describe ROBOT --as standard -o arm.yaml"
+    ):
+        imported(text, convention="modified")
 
 
 def test_looking_at_a_file_takes_no_longer_than_its_length() -> None:

@@ -22,6 +22,7 @@ from dhcli.kinematics.inverse.derive_words import condition_text
 from dhcli.kinematics.values import numbers, parameter_values
 from dhcli.notation.tree import negate
 from dhcli.notation.writer import write
+from tests.kinematics.inverse.test_special import drawn
 from tests.nightly import cases_for_nights
 
 DATA = Path(__file__).parents[2] / "data"
@@ -196,3 +197,12 @@ def test_a_derivation_needs_no_sympy() -> None:
     before = set(sys.modules)
     derive(load_robot("planar-2r"))
     assert not {"sympy", "mpmath"} & (set(sys.modules) - before)
+
+
+def test_sums_that_are_known_end_the_search_for_the_joints_in_them() -> None:
+    """Of three parallel axes, of which two are one, theta1 follows from two sums and the others do not: none is asked
+    for again and again.
+    """  # noqa: D205  one sentence
+    rows = "0 0.4 0.1 theta, 0 0 0.2 theta, 90 0.1 0.2 theta, 90 0 .3 theta, -90 0 0 theta, 0 0 .1 theta"
+    with pytest.raises(NoFormError, match="no textbook form"):
+        derive(drawn("standard", rows))

@@ -123,13 +123,14 @@ def test_results_of_gradescope_have_the_fields_of_its_specification() -> None:
                 ("a", Verdict.RIGHT, 2.0, 2.0, "[1]"),
                 ("b", Verdict.WRONG, 0.5, 1.0, "[2]", ("a remark",), ("a slip",)),
                 ("c", Verdict.SKIPPED, 0.0, 1.0),
+                ("d", Verdict.WRONG, 1.0, 1.0, "[3]", ("right from your a",)),
             ],
         )
     )
     found = json.loads(render("class", report(Graded("1", "1", "x/y", "", tuple(parts))), Look("gradescope")))
     common = {"visibility": "visible", "output_format": "text"}
     assert found == {
-        "score": 2.5,
+        "score": 3.5,
         "stdout_visibility": "hidden",
         **common,
         "tests": [
@@ -138,6 +139,8 @@ def test_results_of_gradescope_have_the_fields_of_its_specification() -> None:
             {"name": "b", "score": 0.5, "max_score": 1.0, "status": "failed", **common}
             | {"output": "✗ WRONG\nI read this as: [2]\na remark"},
             {"name": "c", "score": 0.0, "max_score": 1.0, **common, "output": "– SKIPPED"},
+            {"name": "d", "score": 1.0, "max_score": 1.0, **common}
+            | {"output": "✗ WRONG\nI read this as: [3]\nright from your a"},
         ],
     }
 
