@@ -6,11 +6,9 @@ from fractions import Fraction
 from functools import lru_cache
 from math import isqrt
 
-from dhcli.notation.angle import Rational
-
 
 @lru_cache(maxsize=1024)
-def square_root(value: Rational) -> tuple[Fraction, int]:
+def square_root(value: int | Fraction) -> tuple[Fraction, int]:
     """The square root of a number that is not negative, as a rational times the root of a small integer."""
     inside = value.numerator * value.denominator
     whole = isqrt(inside)
