@@ -46,7 +46,9 @@ def reckoned(text: str) -> str:
     is_measured = has_units(last) and not any(map(has_units, others))
     for piece, other in zip(pieces[first:], others, strict=False):
         if not (_is_shown(last, other) or (is_measured and _is_shown(_without_unit(last), other))):
-            raise ReckonedError(f"{piece} is not {pieces[-1]}: write the answer alone")
+            is_known = has_units(other) == has_units(last)  # what a number without a unit is, the sheet says
+            said = "is not" if is_known else "stands beside"
+            raise ReckonedError(f"{piece} {said} {pieces[-1]}: write the answer alone")
     return pieces[-1] if is_measured else pieces[first]
 
 

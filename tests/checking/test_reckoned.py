@@ -64,6 +64,14 @@ def test_a_result_shows_a_number_to_its_own_digits_in_its_own_unit(text: str) ->
         reckoned(text)
 
 
+def test_what_may_be_equal_in_the_unit_of_a_sheet_is_not_called_unequal() -> None:
+    """On a sheet in millimetres 280 is 0.28 m."""
+    with pytest.raises(ReckonedError, match=r"^280 stands beside 0\.28 m: write"):
+        reckoned("280 = 0.28 m")
+    with pytest.raises(ReckonedError, match=r"^0\.2 m is not 280\.4 mm: write"):
+        reckoned("0.2 m = 280.4 mm")
+
+
 @row_by_row(
     ("exercise", "part", "answer", "verdict"),
     [
