@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from dhcli.checking.tolerance import typed_decimals
+from dhcli.checking.tolerance import is_rounding_of
 from dhcli.errors import NotationError
 from dhcli.notation.arcs import constant
 from dhcli.notation.dimensions import DimensionError, has_units, in_metres
@@ -44,13 +44,19 @@ def reckoned(text: str) -> str:
         return text
     *others, last = numbers
     is_measured = has_units(last) and not any(map(has_units, others))
-    shown = _value(_without_unit(last) if is_measured else last)
-    places = typed_decimals(_without_unit(last))
-    slack = RELATIVE * abs(shown) if places is None else 10.0**-places
     for piece, other in zip(pieces[first:], others, strict=False):
-        if not abs(_value(other) - shown) <= slack:
-            raise ReckonedError(f"{piece} is not {pieces[-1]}: write the answer alone")
+        if not (_is_shown(last, other) or (is_measured and _is_shown(_without_unit(last), other))):
+            is_known = has_units(other) == has_units(last)  # what a number without a unit is, the sheet says
+            said = "is not" if is_known else "stands beside"
+            raise ReckonedError(f"{piece} {said} {pieces[-1]}: write the answer alone")
     return pieces[-1] if is_measured else pieces[first]
+
+
+def _is_shown(last: Expr, other: Expr) -> bool:
+    """Whether a number is another one, as far as its digits go in its own unit."""
+    shown, value, number = _value(last), _value(other), _without_unit(last)
+    unit = shown / bare if (bare := _value(number)) else 1.0
+    return abs(value - shown) <= RELATIVE * abs(shown) or is_rounding_of(number, value / unit, least=0)
 
 
 def _number(text: str) -> Expr | None:

@@ -8,7 +8,7 @@ from math import isqrt
 
 
 @lru_cache(maxsize=1024)
-def square_root(value: Fraction) -> tuple[Fraction, int]:
+def square_root(value: int | Fraction) -> tuple[Fraction, int]:
     """The square root of a number that is not negative, as a rational times the root of a small integer."""
     inside = value.numerator * value.denominator
     whole = isqrt(inside)

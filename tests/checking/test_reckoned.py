@@ -40,6 +40,10 @@ def test_a_reckoning_is_what_it_comes_to_or_is_refused(a: int, b: int, sign: str
         ("sqrt(0.61) = 0.78", "sqrt(0.61)"),
         ("2/3 = 0.67", "2/3"),
         ("90° = pi/2", "90°"),
+        ("pi/2 = 90°", "90°"),
+        ("0.4 = 400 mm", "400 mm"),
+        ("-2/3 = -0.67", "-2/3"),
+        ("0.2804 m = 280.4 mm", "0.2804 m"),
         ("1 + 1 = 2 = 4/2", "1 + 1"),
         ("z = 280", "z = 280"),
         ("a1 + 0 = a1", "a1 + 0 = a1"),
@@ -51,6 +55,21 @@ def test_a_reckoning_is_what_it_comes_to_or_is_refused(a: int, b: int, sign: str
 def test_the_first_side_has_all_digits_and_the_last_the_unit(text: str, meant: str) -> None:
     """Labels, names and matrices are none of its business."""
     assert reckoned(text) == meant
+
+
+@row_by_row("text", ["0.2 m = 280.4 mm", "0.0 = 0.1", "1.29 = 1.4", "pi/3 = 90°", "0.3 = 400 mm"])
+def test_a_result_shows_a_number_to_its_own_digits_in_its_own_unit(text: str) -> None:
+    """A tenth of a millimetre is no tenth of a metre, and the last digit is rounded or cut off."""
+    with pytest.raises(ReckonedError, match="write the answer alone"):
+        reckoned(text)
+
+
+def test_what_may_be_equal_in_the_unit_of_a_sheet_is_not_called_unequal() -> None:
+    """On a sheet in millimetres 280 is 0.28 m."""
+    with pytest.raises(ReckonedError, match=r"^280 stands beside 0\.28 m: write"):
+        reckoned("280 = 0.28 m")
+    with pytest.raises(ReckonedError, match=r"^0\.2 m is not 280\.4 mm: write"):
+        reckoned("0.2 m = 280.4 mm")
 
 
 @row_by_row(
@@ -68,6 +87,10 @@ def test_the_first_side_has_all_digits_and_the_last_the_unit(text: str, meant: s
         (COUNTS, "links", "6 (without the ground)", Verdict.WRONG),
         (COUNTS, "links", "there are 7 links", Verdict.RIGHT),
         (COUNTS, "links", "there are 7 joints", Verdict.CANNOT_READ),
+        (COUNTS, "links", "links: 7", Verdict.RIGHT),
+        (COUNTS, "links", "Link = 6", Verdict.WRONG),
+        (COUNTS, "sixr", "degrees of freedom: 6", Verdict.RIGHT),
+        (COUNTS, "sixr", "d.o.f. = 6", Verdict.RIGHT),
         (REACH, "ways", "2 (elbow up & down)", Verdict.RIGHT),
         (REACH, "rim", "exactly one", Verdict.RIGHT),
         (REACH, "rim", "only 2", Verdict.WRONG),
@@ -104,6 +127,9 @@ def test_two_solutions_that_are_one_are_counted_twice() -> None:
         (COUNTS, "links", "7, 6"),
         (COUNTS, "links", "not 7"),
         (COUNTS, "links", "joints = 7"),
+        (COUNTS, "links", "degrees of freedom = 7"),
+        (COUNTS, "links", "dof: 7"),
+        (COUNTS, "sixr", "links = 6"),
         (REACH, "ways", "2 or 1"),
         (REACH, "ways", "2 (or 1)"),
         (REACH, "inside", "yes, no"),

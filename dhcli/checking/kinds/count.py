@@ -39,7 +39,10 @@ WHAT = {
     "freedoms": _FREEDOMS,
 }
 
-_NOUN = regex(r"\s{0,9}(?P<noun>(?:link|joint|freedom|constraint)s?)\s{0,9}[=:]", re.IGNORECASE)
+_NOUN = regex(
+    r"\s{0,9}(?P<noun>(?:link|joint|constraint|(?:degrees?\s{1,9}of\s{1,9})?freedom|d\.?o\.?f\.?)s?)\s{0,9}[=:]",
+    re.IGNORECASE,
+)
 """What is counted, before the number."""
 
 
@@ -117,7 +120,8 @@ class CountQuestion(AlternativesQuestion[int]):
         self._right(case)
         named = _NOUN.match(text)
         if named and not named["noun"].lower().startswith(WHAT[self.what]):
-            raise UnreadableError(f"{named['noun']} are counted here, and {self.what} are asked for")
+            raise UnreadableError(f"{named['noun']} stands before the number, and what is asked for is {self.what}")
+        text = text[named.end() :] if named else text
         expr = parse(without_number_word(without_label(text), WHAT[self.what]), Scope(), place or Place("answer"))
         if any(isinstance(node, Unit) for node in walk(expr)):
             raise UnreadableError("a count is a whole number and has no unit")

@@ -171,6 +171,6 @@ def _form(wanted: Wanted, name: str) -> Form:
         raise DhcliError(f"--as {form} and a URDF ask for different things", "leave one of the two out")
     if wanted.choose and form not in TABLES:
         raise DhcliError("--choose is about tables", "--as standard or --as modified")
-    if wanted.steps and form not in ("standard", "modified"):
+    if wanted.steps and form not in TABLES:
         raise DhcliError("--steps tells how a table is found", "--as standard or --as modified")
     return form

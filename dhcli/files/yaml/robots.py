@@ -43,7 +43,8 @@ def load_robot(name: str | Path, *, base: str | None = None, tip: str | None = N
     text = read_text("-" if str(path) == "-" else path, limit=XML_LIMIT if path.suffix.lower() in XML else LIMIT)
     if str(path) == "-":
         return robot_of(text, source_of(path), "stdin", base=base, tip=tip, as_typed=as_typed)
-    return _of_file(text, source_of(path), path, base, tip, as_typed)
+    read = _of_file if len(text) <= LIMIT else _of_file.__wrapped__  # the text is kept with the robot
+    return read(text, source_of(path), path, base, tip, as_typed)
 
 
 @lru_cache(MOST_KEPT)

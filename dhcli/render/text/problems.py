@@ -26,23 +26,31 @@ def problems_text(problems: Iterable[Problem], paper: Paper) -> str:
 def gathered(problems: Iterable[Problem]) -> list[tuple[Problem, list[Place]]]:
     """The problems, and of those with the same words the first, with the places of the others."""
     given = list(problems)
-    alike: dict[tuple[str, str], list[Place | None]] = {}
+    alike: dict[tuple[str, ...], list[Place | None]] = {}
     for problem in given:
-        alike.setdefault((problem.message, problem.hint), []).append(problem.place)
-    often = {words: [place for place in places if place is not None] for words, places in alike.items()}
-    often = {words: places for words, places in often.items() if len(places) > _APART}
-    found = []
+        alike.setdefault(_words(problem), []).append(problem.place)
+    found, told = list[tuple[Problem, list[Place]]](), set[tuple[str, ...]]()
     for problem in given:
-        places = often.get((problem.message, problem.hint), [])
-        if not places or problem.place is places[0]:
+        words = _words(problem)
+        places = [place for place in alike[words] if place is not None]
+        if not _APART < len(places) == len(alike[words]):
+            found.append((problem, []))
+        elif words not in told:
             found.append((problem, places[1:]))
+        told.add(words)
     return found
 
 
+def _words(problem: Problem) -> tuple[str, ...]:
+    """What a problem says, and in which file: a line is one of the file that is named with the first."""
+    place = problem.place
+    return problem.message, problem.hint, place.source if place and place.line is not None else ""
+
+
 def others_text(places: Sequence[Place]) -> str:
-    """Where else something stands: `in lines 2 to 5 and 9`, or the names of the places."""
+    """Where else in a file something stands: `in lines 2 to 5 and 9`; the names of places that have no lines."""
     lines = sorted({place.line for place in places if place.line is not None})
-    if not lines or any(place.line is None or place.source != places[0].source for place in places):
+    if not lines:
         return f"at {listed([str(place) for place in places])}"
     runs: list[list[int]] = []
     for line in lines:
