@@ -35,7 +35,7 @@ class Matrix(Generic[N]):
 
     @abstractmethod
     def cells(self, style: str = "short", digits: int = DIGITS) -> tuple[tuple[str, ...], ...]:
-        """The entries as text: expressions in a notation, numbers rounded for people."""
+        """The entries as text, row by row: expressions in a notation, numbers rounded for people."""
 
     @abstractmethod
     def _numbers(self) -> Rows[float]:
@@ -48,7 +48,7 @@ class Matrix(Generic[N]):
 
     @property
     def matrix(self) -> NDArray[np.float64]:
-        """The entries as a numpy array.
+        """The entries as a numpy array: of a pose (4, 4), of a Jacobian (rows, joints).
 
         Raises:
             RobotError: An entry holds a symbol.
