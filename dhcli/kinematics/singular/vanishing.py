@@ -41,8 +41,11 @@ class Chosen(Residues):
         return (cos + self.field.i * sin) % self.field.prime
 
 
-FIELDS = 12
-"""Fields in which the roots of a factor are looked for that is the same at every random point of one field."""
+FIELDS = 40
+"""Fields in which the roots are looked for of a factor that is the same at every random point of one field.
+
+Every other one has them: one factor in 10^12 goes without words.
+"""
 
 
 def fresh(arm: Arm, field: Field | None = None) -> Chosen:
