@@ -31,6 +31,7 @@ from dhcli.checking.diagnosis.slips import candidates, setting_of
 from dhcli.checking.diagnosis.typed import typed_answer
 from dhcli.checking.exercise import Case, Exercise, Part
 from dhcli.checking.judge import Judge
+from dhcli.checking.kinds.joints import JointsQuestion
 from dhcli.checking.kinds.made import question_about
 from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.kinds.table import TableQuestion
@@ -221,6 +222,8 @@ def agree(judge: Judge, part: Part, answer: str, other: str) -> bool:
     """Whether two answers say the same: to the digits typed, or as expressions."""
     if isinstance(part.question, MotionQuestion):
         return same_grid(judge, part, answer, other)
+    if isinstance(part.question, JointsQuestion):
+        return solutions(answer) == solutions(other)
     if answer == other or not isinstance(part.question, MatrixQuestion):
         return answer == other or judge.mark(part, answer).reading == judge.mark(part, other).reading
     case = Case(part, judge.memo)
@@ -229,6 +232,14 @@ def agree(judge: Judge, part: Part, answer: str, other: str) -> bool:
         return False
     slack = tuple(tuple(2 * limit for limit in row) for row in first.slacks[0])  # both have been rounded
     return all(matches(a, b, slack) for a, b in zip(first.values, second.values, strict=True))
+
+
+def solutions(answer: str) -> list[list[float]]:
+    """Joint values as they are typed, in degrees or metres: solutions in one order, angles from 0 to 360."""
+    return sorted(
+        [round(float(value.rstrip("° m")) % 360, 2) for value in row.split(", ")]
+        for row in answer.strip("[]").split("; ")
+    )
 
 
 def same_grid(judge: Judge, part: Part, answer: str, other: str) -> bool:
