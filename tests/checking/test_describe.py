@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dhcli.checking.exercise import Case, Memo
+from dhcli.checking.exercise import Case, Exercise, Memo
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.yaml.exercises import read_exercise
 from tests.judging import mark
@@ -43,6 +43,26 @@ def test_points_and_vectors_are_shown_in_the_unit_in_which_the_answer_is_judged(
     assert mark(exercise, part, f"{-x}, {-y}, {z}").verdict is Verdict.RIGHT
 
 
+def about_motion(asked: str, unit: str) -> Exercise:
+    """A question about the motion of the cylindrical robot on a sheet in some unit of length."""
+    return read_exercise(
+        f"""
+        format: 1
+        title: x
+        source: x
+        task: x
+        numeric: true
+        unit: {unit}
+        robot: cylindrical
+        given: {{theta1: 30°, d2: 0.2 m, d3: 0.3 m}}
+        parts:
+          - {{id: it, ask: "{asked}"}}
+        """,
+        "x.yaml",
+        "x",
+    )
+
+
 @row_by_row("unit", ["mm", "m"])
 @row_by_row(
     ("asked", "shown"),
@@ -71,22 +91,7 @@ def test_points_and_vectors_are_shown_in_the_unit_in_which_the_answer_is_judged(
 )
 def test_numbers_of_a_question_about_motion_are_shown_with_their_units(asked: str, shown: str, unit: str) -> None:
     """They are metres, radians and seconds, and the sheet may be in millimetres."""
-    exercise = read_exercise(
-        f"""
-        format: 1
-        title: x
-        source: x
-        task: x
-        numeric: true
-        unit: {unit}
-        robot: cylindrical
-        given: {{theta1: 30°, d2: 0.2 m, d3: 0.3 m}}
-        parts:
-          - {{id: moved, ask: "{asked}"}}
-        """,
-        "x.yaml",
-        "x",
-    )
+    exercise = about_motion(asked, unit)
     assert shown.format(unit=unit) in exercise.parts[0].question.describe(exercise)
 
 
@@ -129,22 +134,7 @@ def test_letters_of_a_question_about_motion_have_no_unit() -> None:
 @row_by_row("unit", ["mm", "none"])
 def test_numbers_of_an_author_who_has_millimetres_in_mind_are_found(asked: str, said: list[str], unit: str) -> None:
     """Numbers in a question are metres and seconds, whatever the sheet is in; without units they are what one likes."""
-    exercise = read_exercise(
-        f"""
-        format: 1
-        title: x
-        source: x
-        task: x
-        numeric: true
-        unit: {unit}
-        robot: cylindrical
-        given: {{theta1: 30°, d2: 0.2 m, d3: 0.3 m}}
-        parts:
-          - {{id: it, ask: "{asked}"}}
-        """,
-        "x.yaml",
-        "x",
-    )
+    exercise = about_motion(asked, unit)
     [part] = exercise.parts
     found = list(part.question.findings(Case(part, Memo(exercise)), ("parts", 0)))
     assert [one.message for one in found] == ([f"it: {words}" for words in said] if unit == "mm" else [])
