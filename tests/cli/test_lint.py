@@ -9,23 +9,14 @@ import pytest
 
 from tests.cli.running import Run
 from tests.cli.terminal import Terminal
+from tests.lint.linting import ONE_JOINT
 
-ARM = """\
-format: 1
-title: An arm
-source: a test
-convention: standard
-variables: [theta1]
-parameters: {a1: 0.4 m}
-links:
-  - {a: a1, alpha: 0, d: 0, theta: theta1}
-"""
 ENVELOPE = ["dhcli", "command", "ok", "data", "problems"]
 DATA = ["files", "errors", "warnings", "findings"]
 FINDING = ["severity", "message", "hint", "source", "line", "column"]
 
 
-def put(name: str, text: str = ARM) -> None:
+def put(name: str, text: str = ONE_JOINT) -> None:
     """A file in this folder."""
     Path(name).write_text(text, "utf-8")
 
@@ -39,7 +30,7 @@ def test_nothing_to_mend_ends_with_0(dhcli: Run) -> None:
 
 def test_an_error_ends_with_1_and_points_at_its_place(dhcli: Run) -> None:
     """As compilers do, so that editors jump to it; the result of lint is its findings, so they stand on stdout."""
-    put("arm.yaml", ARM.replace("0.4 m}", "0.4 m, a2: 1 m}"))
+    put("arm.yaml", ONE_JOINT.replace("0.4 m}", "0.4 m, a2: 1 m}"))
     done = dhcli("lint", "arm.yaml")
     assert (done.code, done.err) == (1, "")
     assert done.out.splitlines() == [
@@ -53,7 +44,7 @@ def test_an_error_ends_with_1_and_points_at_its_place(dhcli: Run) -> None:
 
 def test_a_warning_alone_ends_with_0(dhcli: Run) -> None:
     """An author may leave it."""
-    put("arm.yaml", ARM.replace("0.4 m", "0 m"))
+    put("arm.yaml", ONE_JOINT.replace("0.4 m", "0 m"))
     done = dhcli("lint", "arm.yaml")
     assert done.code == 0
     assert done.out.startswith("arm.yaml:6:18: warning: a1: is 0\n")
@@ -78,7 +69,7 @@ def test_json_has_the_same_keys_with_and_without_findings(dhcli: Run) -> None:
     put("good.yaml")
     clean = dhcli("lint", "good.yaml", "--format", "json")
     assert clean.code == 0
-    put("arm.yaml", ARM.replace("An arm", "TODO").replace("0.4 m", "0 m"))
+    put("arm.yaml", ONE_JOINT.replace("An arm", "TODO").replace("0.4 m", "0 m"))
     put("broken.yaml", "format: 1\ntitle: [\n")
     found = dhcli("lint", ".", "--format", "json")
     assert (found.code, found.err) == (1, "")
@@ -113,7 +104,7 @@ def test_json_tells_bad_usage_too(dhcli: Run) -> None:
 
 def test_findings_can_be_written_to_a_file(dhcli: Run) -> None:
     """The exit code stays."""
-    put("arm.yaml", ARM.replace("An arm", "TODO"))
+    put("arm.yaml", ONE_JOINT.replace("An arm", "TODO"))
     assert dhcli("lint", "arm.yaml", "-o", "found.json").code == 1
     assert '"errors": 1' in Path("found.json").read_text("utf-8")
 
@@ -121,7 +112,9 @@ def test_findings_can_be_written_to_a_file(dhcli: Run) -> None:
 def test_a_pipe_gets_plain_text_and_whole_lines(dhcli: Run, tmp_path: Path) -> None:
     """No colour, and no line folded, however long; where there is no Unicode, letters that there are."""
     name = "arm-with-a-name-that-is-so-long-that-no-terminal-of-eighty-columns-could-hold-a-line-with-it.yaml"
-    (tmp_path / name).write_text(ARM.replace("theta: theta1", "theta: 3*theta1").replace("An arm", "TODO θ"), "utf-8")
+    (tmp_path / name).write_text(
+        ONE_JOINT.replace("theta: theta1", "theta: 3*theta1").replace("An arm", "TODO θ"), "utf-8"
+    )
     done = dhcli("lint", name)
     assert (done.code, done.err) == (1, "")
     assert "\x1b" not in done.out
@@ -135,7 +128,7 @@ def test_a_pipe_gets_plain_text_and_whole_lines(dhcli: Run, tmp_path: Path) -> N
 
 def test_control_characters_of_a_file_never_reach_the_terminal(dhcli: Run) -> None:
     """Neither those of a message nor those of the line that is shown."""
-    put("arm.yaml", ARM.replace("title: An arm", 'title: "TODO \\e[2J"').replace("a test", "TODO \u202e"))
+    put("arm.yaml", ONE_JOINT.replace("title: An arm", 'title: "TODO \\e[2J"').replace("a test", "TODO \u202e"))
     done = dhcli("lint", "arm.yaml")
     assert done.code == 1
     assert not set(done.out) & {"\x1b", "\u202e"}
@@ -147,7 +140,7 @@ def test_a_terminal_gets_colour_unless_it_is_not_wanted(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, no_color: str, *, colour: bool
 ) -> None:
     """Severity is a word, never colour alone."""
-    (tmp_path / "arm.yaml").write_text(ARM.replace("An arm", "TODO"), "utf-8")
+    (tmp_path / "arm.yaml").write_text(ONE_JOINT.replace("An arm", "TODO"), "utf-8")
     monkeypatch.setenv("TERM", "xterm-256color")
     with Terminal(tmp_path, "lint", "arm.yaml", no_color=no_color) as screen:
         seen = screen.until("1 file: 1 error, 0 warnings")
@@ -159,7 +152,7 @@ def test_a_terminal_gets_colour_unless_it_is_not_wanted(
 @pytest.mark.parametrize("path", [".", "arm.yaml"])
 def test_lint_shows_every_finding_of_a_folder(dhcli: Run, path: str) -> None:
     """A file that cannot be read stands beside those that can."""
-    put("arm.yaml", ARM.replace("An arm", "TODO"))
+    put("arm.yaml", ONE_JOINT.replace("An arm", "TODO"))
     Path("other.yaml").write_bytes(b"\xff\xfe")
     done = dhcli("lint", path, "other.yaml")
     assert done.code == 1

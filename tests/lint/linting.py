@@ -9,6 +9,18 @@ import pytest
 
 from dhcli.lint.files import lint
 
+ONE_JOINT = """\
+format: 1
+title: An arm
+source: a test
+convention: standard
+variables: [theta1]
+parameters: {a1: 0.4 m}
+links:
+  - {a: a1, alpha: 0, d: 0, theta: theta1}
+"""
+"""A robot file with nothing wrong in it."""
+
 
 @dataclass(frozen=True)
 class Broken:

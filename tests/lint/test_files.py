@@ -9,22 +9,12 @@ import pytest
 
 from dhcli.errors import DhcliError, FileError
 from dhcli.lint.files import Linted, lint
-from tests.lint.linting import findings
+from tests.lint.linting import ONE_JOINT, findings
 
 ROOT = Path(__file__).parents[2]
-CLEAN = """\
-format: 1
-title: An arm
-source: a test
-convention: standard
-variables: [theta1]
-parameters: {a1: 0.4 m}
-links:
-  - {a: a1, alpha: 0, d: 0, theta: theta1}
-"""
 
 
-def put(folder: Path, *names: str, text: str | bytes = CLEAN) -> None:
+def put(folder: Path, *names: str, text: str | bytes = ONE_JOINT) -> None:
     """The same text in several files."""
     for name in names:
         path = folder / name
@@ -93,10 +83,10 @@ BROKEN: dict[str, tuple[str | bytes, list[str]]] = {
     "a.yaml": (b"\xff\xfeb\x00a\x00d\x00", ["a.yaml: is written in UTF-16"]),
     "b.yaml": ("format: 1\ntitle: [\n", ["b.yaml:3:1: a value is missing here"]),
     "c.yaml": ("", ["c.yaml: is empty"]),
-    "d.yaml": (CLEAN.replace("An arm", "TODO"), ["d.yaml:2:8: title: still says 'TODO'"]),
-    "e.yaml": (CLEAN, []),
+    "d.yaml": (ONE_JOINT.replace("An arm", "TODO"), ["d.yaml:2:8: title: still says 'TODO'"]),
+    "e.yaml": (ONE_JOINT, []),
     "f.yaml": (
-        CLEAN.replace("theta: theta1", "theta: 2").replace("standard", "usual"),
+        ONE_JOINT.replace("theta: theta1", "theta: 2").replace("standard", "usual"),
         [
             "f.yaml:4:13: convention: 'usual' is not known",
             "f.yaml:8:36: theta: the angle 2 has no unit",

@@ -10,16 +10,8 @@ from dhcli import forward
 from dhcli.errors import FileError
 from dhcli.files.reading import LIMIT
 from dhcli.files.yaml.robots import load_robot
+from tests.lint.linting import ONE_JOINT
 
-ARM = """format: 1
-title: An arm
-source: a test
-convention: standard
-variables: [theta1]
-parameters: {a1: 0.4 m}
-links:
-  - {a: a1, alpha: 0, d: 0, theta: theta1}
-"""
 URDF = """<robot name="arm"><link name="a"/><link name="b"/>
 <joint name="j" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint></robot>
 """
@@ -30,7 +22,7 @@ def test_a_robot_is_the_same_until_its_file_says_something_else(tmp_path: Path) 
     file = tmp_path / "arm.yaml"
     reached = []
     for length in ("0.4", "0.9", "0.4"):
-        file.write_text(ARM.replace("0.4", length), encoding="utf-8")
+        file.write_text(ONE_JOINT.replace("0.4", length), encoding="utf-8")
         robot = load_robot(file)
         assert load_robot(file) is robot
         reached.append(forward(robot, [0]).rows[0][3])
@@ -42,7 +34,7 @@ def test_files_that_say_the_same_are_robots_of_their_own(tmp_path: Path) -> None
     one, other = tmp_path / "one.yaml", tmp_path / "more" / "other.yaml"
     other.parent.mkdir()
     for file in (one, other):
-        file.write_text(ARM, encoding="utf-8")
+        file.write_text(ONE_JOINT, encoding="utf-8")
     assert [(robot.name, robot.path) for robot in map(load_robot, (one, other))] == [("one", one), ("other", other)]
     one.write_text("format: 1", encoding="utf-8")
     with pytest.raises(FileError, match="convention"):
