@@ -94,8 +94,7 @@ def mark_value(exercise: Exercise, right: Quantity, answer: TypedValue, toleranc
     Raises:
         UnreadableError: It is of another kind, holds an unknown name, or is right in another unit.
     """
-    typed = _as_asked(answer.expr, right, exercise, "deg")
-    check_names(exercise, typed.value.names if isinstance(typed.value, Angle) else symbols(typed.value))
+    typed = _known(exercise, right, answer)
     verdict = _verdict_in_unit(exercise, typed, right, answer, tolerance)
     reading, shown = spelled_value(typed, exercise), spelled_value(right, exercise)
     remarks: tuple[str, ...] = ()
@@ -114,9 +113,19 @@ def is_right_value(exercise: Exercise, right: Quantity, answer: TypedValue, tole
     Raises:
         UnreadableError: As `mark_value` does.
     """
+    typed = _known(exercise, right, answer)
+    return _verdict_in_unit(exercise, typed, right, answer, tolerance) in AGREEING
+
+
+def _known(exercise: Exercise, right: Quantity, answer: TypedValue) -> Quantity:
+    """What was typed, as the kind of quantity that is asked for and in names that the exercise has.
+
+    Raises:
+        UnreadableError: It is of another kind, or holds an unknown name.
+    """
     typed = _as_asked(answer.expr, right, exercise, "deg")
     check_names(exercise, typed.value.names if isinstance(typed.value, Angle) else symbols(typed.value))
-    return _verdict_in_unit(exercise, typed, right, answer, tolerance) in AGREEING
+    return typed
 
 
 def _verdict_in_unit(

@@ -18,7 +18,7 @@ from dhcli.checking.wanted import Composed, Wanted
 from dhcli.kinematics.conventions import ORDER
 from dhcli.kinematics.entries import DIGITS, rounded
 from dhcli.kinematics.fold import fold
-from dhcli.kinematics.forward import in_numbers, put_in, textbook_form
+from dhcli.kinematics.forward import pose_rows, put_in, textbook_form
 from dhcli.kinematics.frames import View, between, span_of
 from dhcli.kinematics.moves import Chain, names, spelled
 from dhcli.kinematics.robot import Robot
@@ -94,7 +94,7 @@ def _product(exercise: Exercise, chain: Chain) -> Rows:
         rows = textbook_form(put_in(chain, exercise.given))
         return _in_unit_of_sheet(rows, exercise)
     unit = float(exercise.metres)
-    *upper, bottom = in_numbers(chain, exercise.values)
+    *upper, bottom = pose_rows(chain, exercise.values)
     return (*((*row[:3], row[3] / unit) for row in upper), bottom)
 
 

@@ -109,7 +109,7 @@ def numeric_pose(robot: Robot, values: Values, start: str, end: str) -> Pose[flo
     """The pose of one frame seen from another at known values; see `forward`."""
     chain = between(robot, start, end)
     require(robot, chain, values)
-    return Pose(in_numbers(chain, values), start, end, joints=robot.writing)
+    return Pose(pose_rows(chain, values), start, end, joints=robot.writing)
 
 
 def plain_floats(q: JointInput, parameters: Given | None) -> Sequence[float] | None:
@@ -177,7 +177,7 @@ def refuse_long(size: int) -> None:
         raise RobotError(message, "ask for fewer frames with --from and --to, or put values in")
 
 
-def in_numbers(chain: Chain, values: Values) -> tuple[tuple[float, ...], ...]:
+def pose_rows(chain: Chain, values: Values) -> tuple[tuple[float, ...], ...]:
     """The product of a chain in floats, shape (4, 4).
 
     Raises:

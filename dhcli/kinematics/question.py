@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias, cast
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.geometry.words import in_words
-from dhcli.kinematics.forward import factors, in_numbers, put_in, textbook_form
+from dhcli.kinematics.forward import factors, pose_rows, put_in, textbook_form
 from dhcli.kinematics.frames import Point, View, between, path, place_of
 from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.moves import Chain, Trans, inverse, spelled
@@ -150,7 +150,7 @@ def folded(chain: Chain, start: str, end: str, *, symbolic: bool, values: Values
     """
     if symbolic:
         return Pose(textbook_form(chain), start, end)
-    return Pose(in_numbers(chain, values or {}), start, end)
+    return Pose(pose_rows(chain, values or {}), start, end)
 
 
 def _said(pose: AnyPose, forms: tuple[str, ...]) -> tuple[Mapping[str, Placement], tuple[str, ...]]:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 _STEPS = 25
 """Steps at most; a double root needs a few, one that comes more often gains a digit in three."""
 
-_ENOUGH = 1e-10
+_AT_REST = 1e-10
 """A step that moves no joint by more is the last one [rad, reaches]."""
 
 _LONGEST = 0.02
@@ -86,7 +86,7 @@ def _led(arm: Arm, task: Task, motions: Array, goal: Array, held: tuple[int, ...
         better = there & (alone < least[active]) & (np.abs(x - motions[active]).max(axis=1) < _FAR)
         best[active[better]], least[active[better]] = x[better], alone[better]
         now[active], way[active] = x + step[:, : arm.joints], v + step[:, arm.joints :]
-        active = active[~there | (np.abs(step[:, : arm.joints]).max(axis=1) > _ENOUGH)]
+        active = active[~there | (np.abs(step[:, : arm.joints]).max(axis=1) > _AT_REST)]
     return best, least
 
 

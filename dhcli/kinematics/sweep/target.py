@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.frozen import FrozenDict, frozen
-from dhcli.kinematics.forward import in_numbers, put_in, textbook_form
+from dhcli.kinematics.forward import pose_rows, put_in, textbook_form
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.recorded import kept
@@ -44,7 +44,7 @@ class Target:
 
     def at(self, q: Values) -> tuple[float, float, float]:
         """Where it is [m] for joint values, by the fold of a single pose: exact angles have exact cosines."""
-        rows = in_numbers(self.chain, {**self.lengths, **q})
+        rows = pose_rows(self.chain, {**self.lengths, **q})
         x, y, z = (float(row[3]) + 0.0 for row in rows[:3])  # no minus zero
         return x, y, z
 
